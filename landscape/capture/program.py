@@ -39,7 +39,7 @@ from landscape.gl.contexts.glfw import no_context
 from landscape.gl.contexts.software import check_renderer
 from landscape.gl.extensions import profile_mask
 from landscape.gl.foreign import Make, beside, patched
-from landscape.gl.notes import files_beside
+from landscape.gl.notes import files_beside, qualified
 from landscape.gl.window_framebuffer import WindowFramebuffer
 
 SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
@@ -58,7 +58,7 @@ def chain(frame: FrameType | None, path: str) -> Chain:
     lines: list[tuple[str, int]] = []
     while frame is not None:
         if frame.f_code.co_filename == path:
-            lines.append((frame.f_code.co_name, frame.f_lineno))
+            lines.append((qualified(frame.f_code), frame.f_lineno))
         frame = frame.f_back
     return tuple(reversed(lines))
 

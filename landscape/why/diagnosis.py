@@ -231,8 +231,9 @@ def _proof(found: Survey, suspect: Suspect) -> int:
     if picture is None or picture.shape != found.base.shape:
         return 0
     mask = changed(found.base, picture)
-    if found.pixel is not None and not _near(mask, found.pixel):
-        return 0
+    broken_off = found.past is not None and found.past.error is not None
+    if found.pixel is not None and not broken_off and not _near(mask, found.pixel, suspect.reach):
+        return 0  # of a frame that is broken off, the draw that was to reach it may be missing
     pixels = int(mask.sum())
     if suspect.appear and not _appear(found, suspect):
         return 0
@@ -247,9 +248,10 @@ def _appear(found: Survey, suspect: Suspect) -> bool:
     return counts is not None and any(counts[draw.index] for draw in suspect.draws)
 
 
-def _near(mask: np.ndarray, pixel: tuple[int, int]) -> bool:
+def _near(mask: np.ndarray, pixel: tuple[int, int], reach: int) -> bool:
     x, y = pixel
-    return bool(mask[max(y - 1, 0) : y + 2, max(x - 1, 0) : x + 2].any())
+    rows = slice(max(y - reach, 0), y + reach + 1)
+    return bool(mask[rows, max(x - reach, 0) : x + reach + 1].any())
 
 
 def _drain() -> None:

@@ -4,8 +4,11 @@ For each array of a draw: is it enabled, do type and dtype agree, is the offset 
 stride fit a row of the data? Then the indices, and what a display list holds.
 """
 
+import ast
 import ctypes
 from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -83,9 +86,9 @@ def arrays(survey: Survey) -> Iterator[Suspect]:
             if (kind, id(call)) in done or not _enabled(draw, kind):
                 continue
             done.add((kind, id(call)))
-            yield from _pointer(draw, kind, call, buffer, buffers)
+            yield from _pointer(survey, draw, kind, call, buffer, buffers)
         if draw.call.name != "glDrawArrays":
-            yield from _indices(draw, bound, buffers)
+            yield from _indices(survey, draw, bound, buffers)
         yield from _count(draw, pointers, buffers)
 
 
@@ -113,7 +116,7 @@ def _not_enabled(draw: Drawn, buffers: Buffers) -> Iterator[Suspect]:
             "array-not-enabled",
             at=call,
             change=Change(before={draw.place: [start]}, after={draw.place: [stop]}),
-            strength=92 if kind == "GL_VERTEX_ARRAY" else 78,
+            strength=92 if kind == "GL_VERTEX_ARRAY" else 83,
             state=kind,
             value=False,
             values={"array": kind, "call": written(call)},
@@ -129,7 +132,7 @@ def _point(call: Call, buffer: int, args: Any = None) -> None:
 
 
 def _pointer(
-    draw: Drawn, kind: str, call: Call, buffer: int, buffers: Buffers
+    survey: Survey, draw: Drawn, kind: str, call: Call, buffer: int, buffers: Buffers
 ) -> Iterator[Suspect]:
     size = 3 if call.name == "glNormalPointer" else int(call.args[0])
     type_ = int(call.args[-3])
@@ -174,6 +177,7 @@ def _pointer(
                     "type": TYPE_NAMES[type_],
                 },
                 draws=[draw],
+                source=assigned(survey, upload),
             )
             return
         row = array.dtype.itemsize * (array.shape[-1] if array.ndim > 1 else 1)
@@ -194,6 +198,39 @@ TYPE_NAMES = {
     0x1406: "GL_FLOAT",
     0x140A: "GL_DOUBLE",
 }
+
+
+def assigned(survey: Survey, call: Call) -> str:
+    """Return the line that makes the array handed to a call, as "file:line"; "" if none is found.
+
+    It is looked for in the program's text: the variable among the call's arguments, and the last
+    assignment to it before the call.
+    """
+    if survey.past is None or call.site.path != survey.past.source:
+        return ""
+    with suppress(OSError, SyntaxError, ValueError):
+        nodes = list(ast.walk(ast.parse(Path(call.site.path).read_bytes())))
+        names = {name for node in nodes for name in _handed(node, call)}
+        lines = [
+            node.lineno
+            for node in nodes
+            if isinstance(node, ast.Assign)
+            and any(ast.unparse(target) in names for target in node.targets)
+        ]
+        if lines:
+            line = max((n for n in lines if n < call.site.line), default=lines[0])
+            return f"{call.site.file}:{line}"
+    return ""
+
+
+def _handed(node: ast.AST, call: Call) -> list[str]:
+    """Return the variables that a call in the program's text hands over, but for enumerants."""
+    if not isinstance(node, ast.Call) or not ast.unparse(node.func).endswith(call.name):
+        return []
+    if not node.lineno <= call.site.line <= (node.end_lineno or 0):
+        return []
+    names = [ast.unparse(arg) for arg in node.args if isinstance(arg, (ast.Name, ast.Attribute))]
+    return [name for name in names if not name.split(".")[-1].startswith("GL_")]
 
 
 def _after_upload(upload: Call, buffer: int, array: np.ndarray) -> dict[str, Any]:
@@ -266,7 +303,9 @@ def _stride(
     )
 
 
-def _indices(draw: Drawn, bound: dict[int, int], buffers: Buffers) -> Iterator[Suspect]:
+def _indices(
+    survey: Survey, draw: Drawn, bound: dict[int, int], buffers: Buffers
+) -> Iterator[Suspect]:
     call = draw.call
     kind, indices = int(call.args[-2]), call.args[-1]
     if kind not in TYPES:
@@ -297,6 +336,7 @@ def _indices(draw: Drawn, bound: dict[int, int], buffers: Buffers) -> Iterator[S
                 value=str(array.dtype),
                 values={"dtype": str(array.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
                 draws=[draw],
+                source=assigned(survey, upload),
             )
     elif isinstance(indices, np.ndarray) and indices.dtype.itemsize != wanted.itemsize:
         converted = np.ascontiguousarray(indices.astype(wanted))
@@ -309,6 +349,7 @@ def _indices(draw: Drawn, bound: dict[int, int], buffers: Buffers) -> Iterator[S
             value=str(indices.dtype),
             values={"dtype": str(indices.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
             draws=[draw],
+            source=assigned(survey, call),
         )
 
 

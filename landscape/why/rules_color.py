@@ -117,7 +117,11 @@ def _invalid(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> Su
         values={"call": written(raster), "x": round(float(x), 1), "y": round(float(y), 1)},
         draws=mine,
         source=line_of(survey, draw),
+        reach=GUESSED,
     )
+
+
+GUESSED = 60  # pixels between where letters were to be and where they are tried; chosen
 
 
 def _at(survey: Survey, call: Call, name: str, draw: Drawn) -> np.ndarray:

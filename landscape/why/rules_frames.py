@@ -27,6 +27,8 @@ def _bits(draw: Drawn) -> int:
 
 def late_clear(survey: Survey) -> Iterator[Suspect]:
     """A clear that wipes what the frame has drawn before it."""
+    if survey.past is not None and survey.past.showing.way == "never":
+        return  # without a swap, the next picture is drawn in the same frame
     color = int(gl.GL_COLOR_BUFFER_BIT)
     drawn = 0
     read = False

@@ -12,6 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from landscape.capture import spec
+from landscape.capture.past import MATRIX
+from landscape.capture.program import Chain
 from landscape.gl.calls import Call, GluCall, gl
 from landscape.why.geometry import LEAST, Vertices, concave, crossed_faces
 from landscape.why.survey import Drawn, Survey
@@ -32,7 +35,7 @@ from landscape.why.suspects import (
     with_state,
     written,
 )
-from landscape.why.trial import Change
+from landscape.why.trial import NOTHING, Change
 
 
 def glu_function(name: str) -> Any:
@@ -44,6 +47,7 @@ def glu_function(name: str) -> Any:
 
 def shapes(survey: Survey) -> Iterator[Suspect]:
     """Shapes that are wrong by themselves."""
+    yield from _too_few(survey)
     for draw in survey.shapes:
         found = draw.vertices
         if found is None:
@@ -51,16 +55,7 @@ def shapes(survey: Survey) -> Iterator[Suspect]:
         count = len(found.positions)
         if not np.isfinite(found.positions).all():
             yield from _not_numbers(draw, found)
-        elif draw.call.name == "glBegin" and 0 < count < LEAST[found.mode]:
-            yield Suspect(
-                "too-few-vertices",
-                at=draw.call,
-                change=Change(instead={draw.place: [("glBegin", (_fewer(count),))]}),
-                strength=85,
-                values={"mode": found.mode, "n": count, "needed": LEAST[found.mode]},
-                draws=[draw],
-            )
-        elif not draw.covered and count:
+        elif not draw.covered and count and not _lacking(draw):
             yield from _flat(draw, found)
 
         if bad := crossed_faces(found):
@@ -69,8 +64,37 @@ def shapes(survey: Survey) -> Iterator[Suspect]:
             yield _concave(survey, draw, found, bad)
 
 
-def _fewer(count: int) -> Any:
-    return gl.GL_POINTS if count == 1 else gl.GL_LINE_LOOP
+def _lacking(draw: Drawn) -> bool:
+    """Return whether a glBegin gets vertices, and too few for a primitive."""
+    found = draw.vertices
+    if found is None or draw.call.name != "glBegin":
+        return False
+    return 0 < len(found.positions) < LEAST[found.mode]
+
+
+def _too_few(survey: Survey) -> Iterator[Suspect]:
+    """Yield that a mode wants more vertices than there are, for all draws of a line together."""
+    lines: dict[str, list[Drawn]] = {}
+    for draw in survey.shapes:
+        if _lacking(draw):
+            lines.setdefault(draw.call.source, []).append(draw)
+
+    for draws in lines.values():
+        found = draws[0].vertices
+        assert found is not None
+        count = len(found.positions)
+        mode = ALONE.get(count, "GL_POLYGON")
+        yield Suspect(
+            "too-few-vertices",
+            at=draws[0].call,
+            change=Change(instead={draw.place: [("glBegin", (cap(mode),))] for draw in draws}),
+            strength=85,
+            values={"mode": found.mode, "n": count, "needed": LEAST[found.mode]},
+            draws=draws,
+        )
+
+
+ALONE = {1: "GL_POINTS", 2: "GL_LINES"}  # what so few vertices can be drawn as
 
 
 def _not_numbers(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
@@ -657,7 +681,7 @@ def _left_mode(survey: Survey) -> Iterator[Suspect]:
                 continue
             if mode == "GL_PROJECTION" and after is not None and survey.seen(after):
                 continue  # it shows something, so it may be meant
-            place = str(call.number)
+            place = str(_first_of_object(survey, call).number)
             yield Suspect(
                 "matrix-mode",
                 at=mode_call,
@@ -668,6 +692,17 @@ def _left_mode(survey: Survey) -> Iterator[Suspect]:
                 values={"call": written(call), "line": call.site.line, "mode": mode},
             )
             return
+
+
+def _first_of_object(survey: Survey, call: Call) -> Call:
+    """Return the first of the calls for matrices before a call, after the last draw."""
+    first = call
+    for earlier in reversed(survey.tape.calls[survey.tape.begin : call.number]):
+        if earlier.name in ("glEnd", "glMatrixMode") or spec.draws(earlier.name):
+            break
+        if earlier.name.startswith(MATRIX):
+            first = earlier
+    return first
 
 
 TEXTURES = tuple(
@@ -695,7 +730,7 @@ def _scaled_again(survey: Survey) -> Iterator[Suspect]:
             if call.name.startswith("glScale") and call.number >= survey.tape.begin:
                 lines.setdefault((call.site.path, call.site.line), []).append(call)
         repeated = [calls for calls in lines.values() if len(calls) > 1]
-        repeated = [calls for calls in repeated if any(_uneven(c) for c in calls)]
+        repeated = [calls for calls in repeated if _meant_alone(calls)]
         if not repeated:
             continue
         calls = repeated[0]
@@ -713,10 +748,14 @@ def _scaled_again(survey: Survey) -> Iterator[Suspect]:
         return
 
 
-def _uneven(call: Call) -> bool:
-    """Return whether a scale is another in each direction: one of all alike may well pile up."""
-    sides = [abs(float(a)) for a in call.args]
-    return max(sides) - min(sides) > 1e-6
+def _meant_alone(calls: Sequence[Call]) -> bool:
+    """Return whether scales are each meant for one object: uneven ones, or of several sizes.
+
+    One that is the same in each direction and each time may well pile up, as in a spiral.
+    """
+    sizes = [tuple(abs(float(a)) for a in call.args) for call in calls]
+    uneven = any(max(size) - min(size) > 1e-6 for size in sizes)
+    return uneven or len(set(sizes)) > 1
 
 
 def _undone(survey: Survey, function: str) -> Change | None:
@@ -779,20 +818,73 @@ def unbalanced(survey: Survey) -> Iterator[Suspect]:
 
     if not pushes:
         return
+    change = _popped(survey)
+    if change is not None:
+        yield _without_pop(pushes, change, 84)
+    if survey.past is not None and survey.past.frame:
+        # What the frames before have left on the stack may have filled it.
+        yield _without_pop(pushes, Change(start=[_emptied]) | (change or NOTHING), 82)
 
-    # Where it was forgotten nobody can tell: after a draw that follows, or at the end.
+    # Else nobody can tell where it was forgotten: after a draw that follows, or at the end.
     after = [draw for draw in survey.shapes if draw.number > pushes[-1].number]
     ends = [_end_of(survey, draw.call) for draw in after if "." not in draw.place][:TRIED]
     for index, end in enumerate(dict.fromkeys([*ends, str(survey.calls[-1].number)])):
-        yield Suspect(
-            "push-without-pop",
-            at=pushes[-1],
-            change=Change(after={end: [("glPopMatrix", ())]}),
-            strength=83 - index / 10,
-            state="GL_MODELVIEW_STACK_DEPTH",
-            value=len(pushes),
-            values={"n": len(pushes)},
-        )
+        change = Change(after={end: [("glPopMatrix", ())]})
+        yield _without_pop(pushes, change, 83 - index / 10)
+
+
+def _emptied() -> None:
+    """Take all matrices from the modelview stack."""
+    mode = int(gl.glGetIntegerv(gl.GL_MATRIX_MODE))
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    while int(gl.glGetIntegerv(gl.GL_MODELVIEW_STACK_DEPTH)) > 1:
+        gl.glPopMatrix()
+    gl.glMatrixMode(mode)
+
+
+def _without_pop(pushes: Sequence[Call], change: Change, strength: float) -> Suspect:
+    return Suspect(
+        "push-without-pop",
+        at=pushes[-1],
+        change=change,
+        strength=strength,
+        state="GL_MODELVIEW_STACK_DEPTH",
+        value=len(pushes),
+        values={"n": len(pushes)},
+    )
+
+
+def _popped(survey: Survey) -> Change | None:
+    """Return the change that pops what a function has pushed when it ends, or goes on to the next.
+
+    None where the calls do not tell when that is.
+    """
+    chains = survey.past.chains if survey.past else {}
+    open_: list[Chain] = []  # of each glPushMatrix that waits for its glPopMatrix
+    before: dict[str, Any] = {}
+    for call in survey.calls:
+        chain = chains.get(call.number)
+        if chain is None:
+            continue
+        missing = 0
+        while open_ and call.name != "glPopMatrix" and _left(open_[-1], chain):
+            open_.pop()
+            missing += 1
+        if missing:
+            before[str(call.number)] = [("glPopMatrix", ())] * missing
+        if call.name == "glPushMatrix":
+            open_.append(chain)
+        elif call.name == "glPopMatrix" and open_:
+            open_.pop()
+    return Change(before=before) if before else None
+
+
+def _left(pushed: Chain, now: Chain) -> bool:
+    """Return whether a function that has pushed a matrix has ended, or begins its loop again."""
+    depth = len(pushed) - 1
+    if now[:depth] != pushed[:depth] or len(now) <= depth or now[depth][0] != pushed[depth][0]:
+        return True
+    return now[depth][1] <= pushed[depth][1]
 
 
 TRIED = 6  # draws after which a missing glPopMatrix is tried; chosen
@@ -940,22 +1032,23 @@ def _other_plane(
 def _units(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:
     """Yield that pixels are given where OpenGL, without a projection, has -1 to 1."""
     width, height = survey.tape.size
-    if max(float(np.abs(d.placed.eye[:, :3]).max()) for d in mine if d.placed) <= 1.0:
+    points = np.concatenate([d.placed.eye for d in mine if d.placed is not None])[:, :3]
+    if np.abs(points).max() <= 1.0:
         return
-    project: Any = ortho(0, width, 0, height)
-    points = np.concatenate([d.placed.eye for d in mine if d.placed is not None])
+    projections = [ortho(0, width, 0, height), ortho(0, width, height, 0)]
     if points[:, 2].max() < 0 and np.abs(points[:, :2]).max() < 100:
-        project = lens(45.0, width / height, 0.1, 1000.0)
-    yield Suspect(
-        "no-projection",
-        at=mine[0].call,
-        change=with_matrix("GL_PROJECTION", lambda d: project, mine),
-        strength=83,
-        state="GL_PROJECTION_MATRIX",
-        value="identity",
-        values=values,
-        draws=mine,
-    )
+        projections = [lens(45.0, width / height, 0.1, 1000.0)]
+    for projection in projections:
+        yield Suspect(
+            "no-projection",
+            at=mine[0].call,
+            change=with_matrix("GL_PROJECTION", always(projection), mine),
+            strength=83,
+            state="GL_PROJECTION_MATRIX",
+            value="identity",
+            values=values,
+            draws=mine,
+        )
 
 
 def _beside(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:
@@ -1010,6 +1103,56 @@ def _sides(mine: list[Drawn]) -> list[str]:
     return names or ["outside"]
 
 
+def left_behind(survey: Survey) -> Iterator[Suspect]:
+    """A function, called several times, that moves what it draws and does not move back.
+
+    Only where a pixel is asked about: a chain of links is drawn in this way, too.
+    """
+    if survey.pixel is None or survey.past is None:
+        return
+    for function in sorted(_movers(survey)):
+        change = _undone(survey, function)
+        chains = survey.past.chains
+        call = next(c for c in survey.calls if c.site.function == function and c.number in chains)
+        if change is not None:
+            yield Suspect(
+                "not-undone",
+                at=call,
+                change=change,
+                strength=66,
+                state="GL_MODELVIEW_MATRIX",
+                values={"function": function},
+            )
+
+
+def _movers(survey: Survey) -> set[str]:
+    """Return the functions that end with a draw, and multiply the matrix before it each time.
+
+    Who moves on after the draw means it so: the next link begins where this one ends.
+    """
+    chains = survey.past.chains if survey.past else {}
+    turns: dict[str, list[str]] = {}
+    for call in survey.calls:
+        if call.number in chains and not isinstance(at_of(survey, call), GluCall):
+            turns.setdefault(call.site.function, []).append(_kind(call))
+    return {
+        function
+        for function, kinds in turns.items()
+        if not {"stack", "load"} & set(kinds)
+        and "".join(kinds).count("movedraw") > 1
+        and kinds[0] == "move"
+        and kinds[-1] == "draw"
+    }
+
+
+def _kind(call: Call) -> str:
+    if call.name in ("glPushMatrix", "glPopMatrix"):
+        return "stack"
+    if call.name.startswith("glLoad"):
+        return "load"
+    return "move" if call.name.startswith(MATRIX) else "draw"
+
+
 def near_cuts(survey: Survey) -> Iterator[Suspect]:
     """A near plane that cuts off a part of what the pixel asked about should show."""
     if survey.pixel is None:
@@ -1034,4 +1177,4 @@ def near_cuts(survey: Survey) -> Iterator[Suspect]:
 
 
 __all__ = ["RULES", "cap"]
-RULES = (shapes, matrices, outside, near_cuts)
+RULES = (shapes, matrices, outside, left_behind, near_cuts)

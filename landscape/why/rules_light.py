@@ -14,6 +14,7 @@ from landscape.why.survey import Drawn, Survey
 from landscape.why.suspects import (
     Suspect,
     cap,
+    closed,
     matrix_of,
     off,
     on,
@@ -62,7 +63,7 @@ def lights(survey: Survey) -> Iterator[Suspect]:
                     "light-off",
                     at=set_by,
                     change=on(name, mine),
-                    strength=72,
+                    strength=81 if _dark(survey, mine) else 72,
                     state=name,
                     value=False,
                     values={"light": name},
@@ -290,7 +291,7 @@ def _inward(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
             "normals-away",
             at=call,
             change=with_state(["LIGHTING"], [_two_sided_turned], wrong),
-            strength=74,
+            strength=79,
             state="GL_CURRENT_NORMAL",
             draws=wrong,
         )
@@ -313,16 +314,19 @@ def _sides(draw: Drawn) -> tuple[int, int]:
     facing = away = 0
     winding = 1.0 if draw.state["GL_FRONT_FACE"] == "GL_CCW" else -1.0
     lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
+    solid = closed(draw)
     for face in found.faces[:3000]:
         if len(face) < 3:
             continue
         a = eye[face[0]]
         b = eye[face[1]]
         c = eye[face[2]]
+        sight = a if lensed else AHEAD
         front = winding * np.cross(b - a, c - a)
-        if front @ (a if lensed else AHEAD) >= 0:
-            continue  # turned away from the eye, or without area
-        if front @ turned[face[0]] < 0:
+        if front @ sight >= 0:
+            # Turned away: of a closed shape it is hidden, of a sheet it is seen as well.
+            facing += not solid and turned[face[0]] @ sight < 0
+        elif front @ turned[face[0]] < 0:
             away += 1
         else:
             facing += 1

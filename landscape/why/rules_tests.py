@@ -10,12 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from landscape.capture.textures import completeness
 from landscape.gl.calls import Call, gl
 from landscape.why.geometry import against_neighbours
 from landscape.why.survey import Drawn, Survey
 from landscape.why.suspects import (
     Suspect,
     cap,
+    closed,
     load,
     matrix_of,
     near_far,
@@ -54,14 +56,14 @@ def lifted(survey: Survey) -> Iterator[Suspect]:
     """Draws that show nothing, and the test that stops them."""
     for group in groups(survey):
         yield from _culled(survey, group)
-        yield from _tested(group)
+        yield from _tested(survey, group)
         yield from _depth(survey, group)
         yield from _blended(group)
         yield from _fogged(survey, group)
 
 
-def _tested(group: list[Drawn]) -> Iterator[Suspect]:
-    masked = [draw for draw in group if not any(draw.state["GL_COLOR_WRITEMASK"])]
+def _tested(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
+    masked = [draw for draw in group if _colorless(draw) and not _for_depth(survey, draw)]
     group = [draw for draw in group if not draw.passed]
     if mine := _of(group, "GL_ALPHA_TEST"):
         ref = mine[0].state["GL_ALPHA_TEST_REF"]
@@ -135,6 +137,18 @@ def _tested(group: list[Drawn]) -> Iterator[Suspect]:
             value=True,
             draws=mine,
         )
+
+
+def _colorless(draw: Drawn) -> bool:
+    return not any(draw.state["GL_COLOR_WRITEMASK"])
+
+
+def _for_depth(survey: Survey, draw: Drawn) -> bool:
+    """Return whether a draw without colours is there for its depths: the mask is set back."""
+    if not (draw.state["GL_DEPTH_TEST"] and draw.state["GL_DEPTH_WRITEMASK"]):
+        return False
+    later = survey.tape.calls[draw.number :]
+    return any(call.name == "glColorMask" and any(map(bool, call.args)) for call in later)
 
 
 def _marks(draw: Drawn) -> bool:
@@ -270,25 +284,6 @@ def holes(survey: Survey) -> Iterator[Suspect]:
                 yield suspect
 
 
-def closed(draw: Drawn) -> bool:
-    """Return whether a draw is a closed shape: a solid of GLUT, or one whose edges all meet."""
-    if draw.call.name.startswith("glutSolid"):
-        return True
-    found = draw.vertices
-    if found is None or found.mode not in ("GL_QUADS", "GL_TRIANGLES") or len(found.faces) < 4:
-        return False
-    keys = [tuple(np.round(p, 4).tolist()) for p in found.positions[:20_000]]
-    edges: dict[Any, int] = {}
-    for face in found.faces:
-        if max(face) >= len(keys):
-            return False
-        for a, b in zip(face, face[1:] + face[:1], strict=True):
-            if keys[a] != keys[b]:
-                pair = frozenset((keys[a], keys[b]))
-                edges[pair] = edges.get(pair, 0) + 1
-    return bool(edges) and all(count == 2 for count in edges.values())
-
-
 ODD = ("GL_NEVER", "GL_GREATER", "GL_GEQUAL", "GL_EQUAL", "GL_NOTEQUAL")
 
 
@@ -333,7 +328,7 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             draws=mine,
         )
 
-    if survey.empty:
+    if survey.empty or _laid_over(survey, mine):
         yield Suspect(
             "depth-test",
             at=_setter(mine, "GL_DEPTH_TEST"),
@@ -344,6 +339,13 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             values={"function": state["GL_DEPTH_FUNC"]},
             draws=mine,
         )
+
+
+def _laid_over(survey: Survey, mine: Sequence[Drawn]) -> bool:
+    """Return whether draws without perspective come after those with it, as a display does."""
+    flat = not any(perspective(draw.state["GL_PROJECTION_MATRIX"]) for draw in mine)
+    before = [draw for draw in survey.shapes if draw.index < mine[0].index and draw.passed]
+    return flat and any(perspective(draw.state["GL_PROJECTION_MATRIX"]) for draw in before)
 
 
 def near_zero(survey: Survey) -> Iterator[Suspect]:
@@ -519,17 +521,28 @@ def translucent_first(survey: Survey) -> Iterator[Suspect]:
         opaque = [d for d in later if _alpha(d) >= 0.99 or not d.state["GL_BLEND"]]
         if not opaque:
             continue
+        change = with_state(["DEPTH_BUFFER"], [("glDepthMask", (False,))], [glass])
+        part = 12 if survey.pixel is None and _hides_half(survey, change, opaque) else share
         yield Suspect(
             "translucent-first",
             at=glass.call,
-            change=with_state(["DEPTH_BUFFER"], [("glDepthMask", (False,))], [glass]),
+            change=change,
             strength=86,
             state="GL_DEPTH_WRITEMASK",
             value=True,
             values={"alpha": round(_alpha(glass), 3), "later": opaque[0].call.site.line},
             draws=[glass],
-            least=sum(d.passed for d in glasses if d.chain == glass.chain) // share,
+            least=sum(d.passed for d in glasses if d.chain == glass.chain) // part,
         )
+
+
+def _hides_half(survey: Survey, change: Change, opaque: Sequence[Drawn]) -> bool:
+    """Return whether some shape loses half of its fragments, which it has with a change."""
+    counts = survey.trial.counts(change)
+    return counts is not None and any(
+        draw.passed * 2 < counts[draw.index] and counts[draw.index] * 3 > draw.covered
+        for draw in opaque
+    )
 
 
 def _alpha(draw: Drawn) -> float:
@@ -540,32 +553,71 @@ def _alpha(draw: Drawn) -> float:
 
 
 def blend_missing(survey: Survey) -> Iterator[Suspect]:
-    """A translucent colour without blending."""
-    mine = [
-        d
-        for d in survey.shapes
-        if not d.state["GL_BLEND"]
-        and 0.0 <= _alpha(d) < 0.99
-        and d.passed
-        and not d.state["GL_LIGHTING"]
-        and not d.state["GL_ALPHA_TEST"]
-    ]
-    if not mine or any(d.state["GL_BLEND"] for d in survey.shapes):
+    """A translucent colour or image without blending."""
+    if any(draw.state["GL_BLEND"] for draw in survey.shapes):
         return
-    setter = mine[0].setter("GL_BLEND_SRC_RGB") or mine[0].setter("GL_BLEND_DST_RGB")
-    actions: list[Action] = [("glEnable", (gl.GL_BLEND,))]
-    if setter is None:
-        actions.append(("glBlendFunc", (gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)))
-    yield Suspect(
+    shapes = [draw for draw in survey.shapes if draw.passed]
+    if not shapes:
+        return
+    setter = shapes[0].setter("GL_BLEND_SRC_RGB") or shapes[0].setter("GL_BLEND_DST_RGB")
+    if setter is not None:
+        yield from _blending_asked_for(shapes, setter)
+        return
+    mine = [
+        draw
+        for draw in shapes
+        if 0.0 <= _alpha(draw) < 0.99
+        and not draw.state["GL_LIGHTING"]
+        and not draw.state["GL_ALPHA_TEST"]
+    ]
+    if mine:
+        yield _without_blending(
+            mine,
+            mine[0].setter("GL_CURRENT_COLOR") or mine[0].call,
+            [("glBlendFunc", (gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA))],
+            alpha=_alpha(mine[0]),
+            strength=58,
+        )
+
+
+def _blending_asked_for(shapes: list[Drawn], setter: Call) -> Iterator[Suspect]:
+    """Yield that the program calls glBlendFunc, and never enables blending."""
+    for draw in shapes:
+        alpha = min(_alpha(draw), texture_alpha(draw))
+        if alpha < 0.99:
+            yield _without_blending(shapes, setter, [], alpha=alpha, strength=88)
+            return
+
+
+def _without_blending(
+    draws: list[Drawn], at: Call, actions: list[Action], *, alpha: float, strength: float
+) -> Suspect:
+    return Suspect(
         "no-blend",
-        at=setter or mine[0].setter("GL_CURRENT_COLOR") or mine[0].call,
-        change=with_state(["ENABLE", "COLOR_BUFFER"], actions, mine),
-        strength=88 if setter else 58,
+        at=at,
+        change=with_state(
+            ["ENABLE", "COLOR_BUFFER"], [("glEnable", (gl.GL_BLEND,)), *actions], draws
+        ),
+        strength=strength,
         state="GL_BLEND",
         value=False,
-        values={"alpha": round(_alpha(mine[0]), 3)},
-        draws=mine,
+        values={"alpha": round(alpha, 3)},
+        draws=draws,
     )
+
+
+def texture_alpha(draw: Drawn) -> float:
+    """Return the least alpha of the texture that a draw uses, 1 if it uses none."""
+    texture = int(draw.state["GL_TEXTURE0.GL_TEXTURE_BINDING_2D"])
+    if not draw.state["GL_TEXTURE0.GL_TEXTURE_2D"] or completeness(texture) is not None:
+        return 1.0
+    former = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
+    gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
+    image = np.frombuffer(
+        bytes(gl.glGetTexImage(gl.GL_TEXTURE_2D, 0, gl.GL_RGBA, gl.GL_UNSIGNED_BYTE)), np.uint8
+    )
+    gl.glBindTexture(gl.GL_TEXTURE_2D, former)
+    return float(image[3::4].min(initial=255)) / 255.0
 
 
 def overdrawn(survey: Survey) -> Iterator[Suspect]:
@@ -679,21 +731,19 @@ def other_target(survey: Survey) -> Iterator[Suspect]:
 
 def wireframe(survey: Survey) -> Iterator[Suspect]:
     """Lines or points instead of faces: the polygon mode of something else, left on."""
-    shapes = survey.shapes
-    modes = [tuple(d.state["GL_POLYGON_MODE"]) for d in shapes]
-    filled = ("GL_FILL", "GL_FILL")
-    if not shapes or modes[0] != filled or set(modes) == {filled}:
-        return
-    setters: dict[int, tuple[Call, list[Drawn]]] = {}
-    for draw, mode in zip(shapes, modes, strict=True):
-        setter = draw.setter("GL_POLYGON_MODE")
-        if mode != filled and setter is not None:
-            setters.setdefault(id(setter), (setter, []))[1].append(draw)
+    outlined: dict[int, list[Drawn]] = {}
+    for draw in survey.shapes:
+        if tuple(draw.state["GL_POLYGON_MODE"]) != ("GL_FILL", "GL_FILL"):
+            setter = draw.setter("GL_POLYGON_MODE")
+            outlined.setdefault(id(setter), []).append(draw)
 
-    for setter, draws in setters.values():
-        own = [d for d in draws if d.call.site.function == setter.site.function]
-        others = [d for d in draws if d.call.site.function != setter.site.function]
-        if own and others and others[0].index > own[0].index:
+    for draws in outlined.values():
+        setter = draws[0].setter("GL_POLYGON_MODE")
+        if setter is None:
+            continue
+        function = setter.site.function
+        others = [draw for draw in draws if function not in _functions(draw)]
+        if others and others[0] is not draws[0]:
             yield Suspect(
                 "wireframe",
                 at=setter,
@@ -703,9 +753,14 @@ def wireframe(survey: Survey) -> Iterator[Suspect]:
                 strength=76,
                 state="GL_POLYGON_MODE",
                 value=list(others[0].state["GL_POLYGON_MODE"]),
-                values={"function": setter.site.function, "later": others[0].call.site.line},
+                values={"function": function, "later": others[0].call.site.line},
                 draws=others,
             )
+
+
+def _functions(draw: Drawn) -> set[str]:
+    """Return the functions of the program in which a draw is made."""
+    return {draw.call.site.function, *(name for name, _ in draw.chain)}
 
 
 RULES = (

@@ -230,7 +230,7 @@ def not_enabled(survey: Survey) -> Iterator[Suspect]:
         and _has_coords(d)
         and not any(d.state[f"GL_TEXTURE0.GL_TEXTURE_{k}"] for k in ("1D", "3D", "CUBE_MAP"))
     ]
-    bound = [d for d in mine if int(d.state[BOUND]) and completeness(int(d.state[BOUND])) is None]
+    bound = [d for d in mine if completeness(int(d.state[BOUND])) is None]
     if not bound:
         return
     seen = any(d.state[ENABLED] for d in survey.shapes)
@@ -258,7 +258,7 @@ def coordinates(survey: Survey) -> Iterator[Suspect]:
     """Coordinates in pixels, or none at all."""
     for draw in survey.shapes:
         found, texture = draw.vertices, int(draw.state[BOUND])
-        if not draw.state[ENABLED] or found is None or not draw.passed or not texture:
+        if not draw.state[ENABLED] or found is None or not draw.passed:
             continue
         if completeness(texture) is not None:
             continue
@@ -339,7 +339,6 @@ def _without(survey: Survey) -> Iterator[Suspect]:
         and not d.state["GL_TEXTURE0.GL_TEXTURE_GEN_S"]
         and not d.call.name.startswith("glut")
         and not d.state["GL_TEXTURE0.GL_TEXTURE_COORD_ARRAY"]
-        and int(d.state[BOUND])
         and completeness(int(d.state[BOUND])) is None
     ]
     if not bare:

@@ -41,6 +41,7 @@ class Suspect:
     draws: Sequence[Drawn] = ()
     source: str = ""  # where the call cannot say it
     least: int = 0  # pixels that must differ, where that is more than usual
+    reach: int = 1  # how far from the pixel asked about the picture may change; a place is guessed
     appear: bool = False  # whether ``draws`` must have fragments that pass, then
 
 
@@ -129,6 +130,25 @@ def line_of(survey: Survey, draw: Drawn) -> str:
     if len(lines) < 2:
         return ""
     return f"{draw.call.site.file}:{own[-2][1]}"
+
+
+def closed(draw: Drawn) -> bool:
+    """Return whether a draw is a closed shape: a solid of GLUT, or one whose edges all meet."""
+    if draw.call.name.startswith("glutSolid"):
+        return True
+    found = draw.vertices
+    if found is None or found.mode not in ("GL_QUADS", "GL_TRIANGLES") or len(found.faces) < 4:
+        return False
+    keys = [tuple(np.round(p, 4).tolist()) for p in found.positions[:20_000]]
+    edges: dict[Any, int] = {}
+    for face in found.faces:
+        if max(face) >= len(keys):
+            return False
+        for a, b in zip(face, face[1:] + face[:1], strict=True):
+            if keys[a] != keys[b]:
+                pair = frozenset((keys[a], keys[b]))
+                edges[pair] = edges.get(pair, 0) + 1
+    return bool(edges) and all(count == 2 for count in edges.values())
 
 
 def written(at: At) -> str:
