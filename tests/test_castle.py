@@ -342,6 +342,9 @@ def test_the_report_s_towers_have_few_sides_and_a_flat_top_and_its_walls_no_merl
     assert len(np.unique(angles)) == 8
     assert np.hypot(around[:, 0], around[:, 2]).max() == pytest.approx(TOWER_RADIUS)
     assert tower.vertices[:, 1].max() == pytest.approx(TOWER_TOP)
+    upright = np.abs(tower.normals[:, 1]) < 0.5
+    turns = np.round(np.degrees(np.arctan2(tower.normals[:, 2], tower.normals[:, 0]))[upright])
+    assert len(np.unique(turns)) == 8, "each side is flat"
     walls = walls_mesh(4.0, battlements=False)
     assert walls.vertices[:, 1].max() == 1.0 and len(walls.vertices) == 4 * 5 * 4
     assert walls_mesh(4.0).vertices[:, 1].max() > 1.0

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from landscape.geometry.mesh import Mesh, revolve, vertex_normals
+from landscape.geometry.mesh import Mesh, faceted, revolve, vertex_normals
 
 FOOT = 0.35  # chosen: units the walls reach into the ground, so that no slope shows under them
 TOWER_RADIUS = 0.13  # chosen
@@ -83,7 +83,8 @@ def walls_mesh(repeat: float, battlements: bool = True) -> Mesh:
 def tower_mesh(repeat: float, sides: int = ROUND, battlements: bool = True) -> Mesh:
     """Return a tower around the y axis: a cylinder of ``sides`` sides with a flat top.
 
-    With ``battlements`` it widens to a parapet with a sunken floor.
+    With fewer sides than look round each side is flat. With ``battlements`` the tower widens to a
+    parapet with a sunken floor.
     """
     r, top = TOWER_RADIUS, TOWER_TOP
     profile = [(r, -FOOT), (r, top), (0.0, top)]
@@ -92,7 +93,8 @@ def tower_mesh(repeat: float, sides: int = ROUND, battlements: bool = True) -> M
         profile += [(r - 0.01, top), (r - 0.01, top - 0.06), (0.0, top - 0.06)]
     height = sum(np.hypot(*np.subtract(b, a)) for a, b in zip(profile, profile[1:], strict=False))
     round_ = max(1, round(2 * np.pi * r * repeat))
-    return revolve(profile, sides, (round_, float(height) * repeat))
+    tower = revolve(profile, sides, (round_, float(height) * repeat))
+    return tower if sides >= ROUND else faceted(tower)
 
 
 def on_edges(corners: Iterable[tuple[float, float]], spacing: float) -> np.ndarray:

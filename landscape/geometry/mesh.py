@@ -89,6 +89,20 @@ def revolve(
     return Mesh(v, n, t, (np.ascontiguousarray(np.concatenate(coordinates), np.float32),))
 
 
+def faceted(mesh: Mesh) -> Mesh:
+    """Return the mesh with flat triangles: each has three vertices of its own and one normal."""
+    corner = mesh.triangles.ravel()
+    vertices = np.ascontiguousarray(mesh.vertices[corner])
+    triangles = np.arange(len(corner), dtype=np.uint32).reshape(-1, 3)
+    return Mesh(
+        vertices,
+        vertex_normals(vertices, triangles),
+        triangles,
+        tuple(np.ascontiguousarray(c[corner]) for c in mesh.coordinates),
+        None if mesh.colors is None else np.ascontiguousarray(mesh.colors[corner]),
+    )
+
+
 def gathered(mesh: Mesh) -> Mesh:
     """Return the mesh with its triangles sorted along a Morton curve, vertices by first use.
 
