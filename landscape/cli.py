@@ -183,8 +183,13 @@ def _views(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(views, indent=1))
     else:
+        from landscape.languages import choose, translator
+
+        _ = translator(choose(os.environ), "gallery", "fixes")
+        wide = max(len(view["name"]) for view in views)
         for view in views:
-            print(f"{view['name']:16} {view['scene']:8} {view['preset']:5} {view['shows']}")
+            shows = _(view["shows"], view["name"])
+            print(f"{view['name']:{wide}} {view['scene']:6} {view['preset']:4} {shows}")
     return 0
 
 

@@ -70,8 +70,10 @@ LAWN_BEFORE = walking(21.25, 23.75, 340.0, -7.0)
 GROVE_AND_SKY = ("ground", "trees", "deer", "plants", "sky", "fog")
 AVENUE = {"transparent.places": "avenue.csv"}
 CROSSING = {"transparent.places": "crossing.csv", "transparent.faces": "place"}
-FACING = AVENUE | {"transparent.surround": "white", "camera.fov": 100.0}
+FACING = AVENUE | {"transparent.surround": "white", "camera.fov": 70.0}
 AVENUE_BEFORE = walking(21.3, 25.2, 338.0, -6.0)
+AVENUE_LEFT = walking(21.3, 25.2, 320.0, -6.0)
+AVENUE_RIGHT = walking(21.3, 25.2, 356.0, -6.0)
 CROSSING_BEFORE = walking(20.95, 23.3, 0.0, 8.0)
 HILL_BEFORE = walking(21.5, 9.4, 141.0, 0.0)
 HAZE = {"fog.density": 0.12}  # section 10.2: that of 2006, with either preset
@@ -644,15 +646,29 @@ VIEWS = (
             ),
             View(
                 "faces_plane",
-                "flaw: quads close by are parallel to the picture, and turn with it",
-                AVENUE_BEFORE,
+                "flaw: quads are parallel to the picture",
+                AVENUE_LEFT,
+                shown=GROVE_AND_SKY,
+                settings=FACING,
+            ),
+            View(
+                "faces_plane_turned",
+                "the same, the eye turned on the spot: each quad has turned with it",
+                AVENUE_RIGHT,
                 shown=GROVE_AND_SKY,
                 settings=FACING,
             ),
             View(
                 "faces_place",
-                "quads that face the place of the eye, and stay while it turns",
-                AVENUE_BEFORE,
+                "quads that face the place of the eye",
+                AVENUE_LEFT,
+                shown=GROVE_AND_SKY,
+                settings=FACING | {"transparent.faces": "place"},
+            ),
+            View(
+                "faces_place_turned",
+                "the same, the eye turned on the spot: the quads have stayed as they were",
+                AVENUE_RIGHT,
                 shown=GROVE_AND_SKY,
                 settings=FACING | {"transparent.faces": "place"},
             ),

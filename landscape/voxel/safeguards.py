@@ -11,7 +11,14 @@ GLADE = Pose(18.0, None, 18.0, 88.0, 4.0)
 BEACH = Pose(8.0, 1.0, 30.0, 20.0, -14.0)
 COILS = Pose(13.0, 0.92, 30.2, 330.0, -5.0)
 FROM_ABOVE = Pose(21.0, 4.5, 29.0, 10.0, -12.0)
-OVER_HILLS = Pose(6.0, 6.0, 20.0, 90.0, -20.0)
+OVER_HILL = Pose(27.2, 7.5, 23.5, 0.0, -38.0)
+BARE = {
+    "voxel.trees": False,
+    "voxel.buildings": False,
+    "shadow.enabled": False,
+    "sun.azimuth": 100.0,
+    "sun.elevation": 18.0,
+}
 FROM_HIGH = Pose(20.0, 8.0, 36.0, 0.0, -20.0)
 
 LAND: tuple[Safeguard, ...] = (
@@ -51,18 +58,19 @@ LAND: tuple[Safeguard, ...] = (
     Safeguard(
         "voxel_slope",
         "The light follows the land's slope",
-        OVER_HILLS,
+        OVER_HILL,
         20.0,
-        {"voxel.slope": 0.0},
-        {"voxel.slope": 1.0},
+        BARE | {"voxel.slope": 0.0},
+        BARE | {"voxel.slope": 1.0},
         flaw="The upper faces of all cubes look straight up and have the same light, so that hills "
         "look as flat as meadows.",
-        look="Look at the hillsides that are turned away from the sun.",
+        look="Look at the hillside at the left, which is turned away from the low sun in the east. "
+        "Trees, buildings and other shadows are left out here.",
         how="The height image knows the land's normal everywhere. How much it faces the sun is "
         "multiplied into the vertex colours when the meshes are made.",
         seen=(
-            "green hills in nearly even light",
-            "the same hills, their slopes slightly shaded by where they face",
+            "a green hill of terraces, all of them equally bright",
+            "the same hill, dark on the side that is turned away from the sun",
         ),
     ),
     Safeguard(

@@ -151,9 +151,12 @@ def fixes() -> Iterator[Message]:
 
 
 def gallery() -> Iterator[Message]:
-    """Yield the texts of the gallery, except the titles of the fixes."""
+    """Yield the texts of the gallery and what each view shows, except the titles of the fixes."""
     source = "landscape/gallery"
     yield from in_code("landscape/gallery/page.py", "landscape/gallery/scene_page.py")
+    for kind in map(scene, SCENES):
+        where = SCENES[kind.name].replace(".", "/") + ".py"
+        yield from (Message(view.shows, where) for view in kind.views.values())
     for name in VIEW_TEXTS:
         kind = scene(name)
         texts = [*INTRODUCTIONS[name], PAIRS_TEXT]
