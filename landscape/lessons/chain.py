@@ -1,9 +1,9 @@
 """The chain: a vertex on its way to a pixel
 
-A corner of a crate, followed from the numbers in the program to a pixel. The modelview matrix
-takes it to the frame of the eye, the projection matrix to clip coordinates, the division by w to
-normalised device coordinates, and the viewport to the window. OpenGL has two of these matrices to
-set: the modelview matrix is the product of the camera's and the model's.
+A corner of a crate, followed from the numbers in the program to a pixel. The model's matrix takes
+it to the world, the camera's to the frame of the eye, the projection matrix to clip coordinates,
+the division by w to normalised device coordinates, and the viewport to the window. OpenGL keeps two
+of these three matrices: GL_MODELVIEW is the product of the camera's and the model's.
 
 Keys: Left and Right turn the crate (the model), Up and Down lift the camera; F changes the
 opening angle (the projection); Space halves the viewport.
@@ -25,8 +25,10 @@ turn, lift, angle = 20, 2.5, 45  # degrees, units, degrees
 small = False
 
 LABELS = (  # what the numbers are, and what takes them to the next ones
-    "in the program",
-    "GL_MODELVIEW: camera × model",
+    "in the crate's frame",
+    "GL_MODELVIEW: the model",
+    "in the frame of the world",
+    "GL_MODELVIEW: the camera",
     "in the frame of the eye",
     "GL_PROJECTION",
     "in clip coordinates",
@@ -55,19 +57,29 @@ def set_matrices(aspect):
     glMatrixMode(GL_MODELVIEW)
     glLoadIdentity()
     gluLookAt(0, lift, 6, 0, 0, 0, 0, 1, 0)  # the camera
-    glRotatef(turn, 0, 1, 0)  # the model
+    place_crate()
+
+
+def place_crate():
+    glTranslatef(0.4, 0, 0)
+    glRotatef(turn, 0, 1, 0)
 
 
 def follow(viewport):
     """Return the vertex after each step of the chain."""
-    modelview = glGetFloatv(GL_MODELVIEW_MATRIX).T  # OpenGL stores its columns
+    x0, y0, width, height = viewport
+    glLoadIdentity()
+    place_crate()
+    model = glGetFloatv(GL_MODELVIEW_MATRIX).T  # OpenGL stores its columns
+    set_matrices(width / height)
+    modelview = glGetFloatv(GL_MODELVIEW_MATRIX).T
     projection = glGetFloatv(GL_PROJECTION_MATRIX).T
+    world = model @ VERTEX
     eye = modelview @ VERTEX
     clip = projection @ eye
     device = clip[:3] / clip[3]
-    x0, y0, width, height = viewport
     pixel = (device + 1) / 2 * (width, height, 1) + (x0, y0, 0)
-    return VERTEX, eye, clip, device, pixel
+    return VERTEX, world, eye, clip, device, pixel
 
 
 def draw_chain(points, width, height):
@@ -78,22 +90,22 @@ def draw_chain(points, width, height):
     glOrtho(0, width / scale, 0, height / scale, -1, 1)
     glMatrixMode(GL_MODELVIEW)
     glLoadIdentity()
-    top = height / scale - 12
+    top = height / scale - 8
 
     for number, point in enumerate(points):
-        y = top - 95 * number
+        y = top - 82 * number
         glColor3f(0.2, 0.25, 0.32)
         glRectf(10, y - 48, 346, y)
-        write(16, y - 24, LABELS[2 * number], CREAM)
+        write(16, y - 23, LABELS[2 * number], CREAM)
         numbers = " ".join(f"{value + 0:.2f}" for value in point.round(2))
-        write(16, y - 45, "{numbers}", AMBER, numbers=numbers)
-        if number < 4:
+        write(16, y - 44, "{numbers}", AMBER, numbers=numbers)
+        if number < len(points) - 1:
             glColor3f(0.3, 0.6, 0.6)
             glBegin(GL_TRIANGLES)
-            for dx, dy in ((-6, -62), (0, -88), (6, -62)):
+            for dx, dy in ((-6, -54), (0, -78), (6, -54)):
                 glVertex2f(26 + dx, y + dy)
             glEnd()
-            write(42, y - 82, LABELS[2 * number + 1], (0.4, 0.8, 0.8))
+            write(42, y - 73, LABELS[2 * number + 1], (0.4, 0.8, 0.8))
 
 
 def draw(width, height):
