@@ -3,11 +3,12 @@
 import argparse
 import os
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from landscape.course import lecture_texts as texts
 from landscape.course.language import told_in
-from landscape.course.lecture import VIEW, Lecture, course, read
+from landscape.course.lecture import COURSE, VIEW, Lecture, course, read
 from landscape.course.lesson_command import speaking
 from landscape.errors import InputError, NoOpenGLError, short
 from landscape.gl import display
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
     with speaking(options.lang), told_in(options.lang or choose(os.environ)):
-        lecture = read(options.file) if options.file else course()
+        lecture = read(_file(options.file)) if options.file else course()
         if options.list:
             for number, title, name in texts.listed(lecture):
                 print(f"{number}  {name:18} {title}")
@@ -34,6 +35,12 @@ def run(options: argparse.Namespace) -> int:
                 )
         show(lecture, begin, options.size, options.screen)
     return 0
+
+
+def _file(asked: Path) -> Path:
+    """Return a lecture's file: one that exists, or one that comes with the program, by its name."""
+    shipped = COURSE.parent / f"{asked}.txt"
+    return shipped if len(asked.parts) == 1 and not asked.exists() and shipped.exists() else asked
 
 
 def _begin(lecture: Lecture, asked: str) -> int:

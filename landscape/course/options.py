@@ -14,7 +14,10 @@ def _(text: str) -> str:
 
 
 LESSON = _("a lesson; without one, the lessons are listed")
-LECTURE = _("a text file, see docs/lecture.md; default: the whole course")
+LECTURE = _(
+    "a text file, see docs/lecture.md, or first_course, see docs/course.md; "
+    "default: the whole course"
+)
 COPY = _(
     "copy it, with what it reads and its plain programs, into a folder; default: the current one"
 )

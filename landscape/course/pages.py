@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from landscape.course.ladder import Lesson
 
 CODE, ROW = "```", "| "
-BY_CELL = ("documents", "glut", "sheet")
+BY_CELL = ("course", "documents", "glut", "sheet")
 """The documents whose rows are translated cell by cell: long tables, mostly of paths and commands.
 
 A path or a command may then change, and no translation is lost with it.

@@ -34,6 +34,7 @@ DOCUMENTS = (
     "docs/lecture.md",
     "docs/glut.md",
     "docs/sheet.md",
+    "docs/course.md",
     "docs/films.md",
     "docs/exercises.md",
     "docs/assets.md",
