@@ -54,10 +54,10 @@ lint:
 	@scripts/setup.sh lint
 	@$(LINT)/ruff check .
 	@$(LINT)/ruff format --check .
-	@$(LINT)/mypy landscape
+	@$(LINT)/mypy framelens landscape
 	@for system in win32 darwin; do \
 	    $(LINT)/mypy --platform $$system --no-site-packages --ignore-missing-imports \
-	        --cache-dir .mypy_cache/$$system landscape || exit; \
+	        --cache-dir .mypy_cache/$$system framelens landscape || exit; \
 	done
 
 docs:

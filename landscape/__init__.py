@@ -4,8 +4,37 @@
 >>> image = landscape.render("fig35e", size=(1280, 720))
 """
 
-from landscape.errors import InputError, NoOpenGLError
-from landscape.render import Offscreen, render
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from framelens.base import packages
+
+if TYPE_CHECKING:
+    from framelens.base.errors import InputError, NoOpenGLError
+    from landscape.offscreen import Offscreen, render
 
 __version__ = "0.2.0"
 __all__ = ["InputError", "NoOpenGLError", "Offscreen", "render"]
+
+packages.add("landscape", Path(__file__).resolve().parent, unseen=("gl",))
+
+# Imported when asked for: the command line, the lessons and the tests need only some of it.
+_HOMES = {
+    "InputError": "framelens.base.errors",
+    "NoOpenGLError": "framelens.base.errors",
+    "Offscreen": "landscape.offscreen",
+    "render": "landscape.offscreen",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(_HOMES[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *_HOMES])

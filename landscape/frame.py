@@ -3,8 +3,12 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+
+from framelens.base.arguments import finite, plain
+from framelens.base.errors import InputError, short
 
 
 @dataclass(frozen=True)
@@ -33,11 +37,32 @@ class Pose:
         )
 
 
+def checked_pose(value: Any, given: str = "") -> Pose:
+    """Return a pose from x, y, z and perhaps yaw and pitch; a y of "ground" becomes None."""
+    numbers = value
+    if isinstance(value, Pose):
+        numbers = (value.x, value.y, value.z, value.yaw, value.pitch, value.roll)
+    numbers = plain(numbers)
+    if isinstance(numbers, (list, tuple)) and 3 <= len(numbers) <= 5 + isinstance(value, Pose):
+        y = numbers[1]
+        grounded = y is None or (isinstance(y, str) and y == "ground")
+        # In place of a y on the ground, which need not be checked, any number will do.
+        checked = [finite(0.0 if grounded and k == 1 else v) for k, v in enumerate(numbers)]
+        found = [each for each in checked if each is not None]
+        if len(found) == len(numbers):
+            x, height, *others = found
+            return Pose(x, None if grounded else height, *others)
+    raise InputError(
+        f"{given or f'pose {short(value)}'}: expected the numbers x, y, z, yaw and pitch; "
+        "y may be `ground`"
+    )
+
+
 @dataclass(frozen=True)
 class Detail:
     """How finely a frame is drawn; the default is all of it, as in every still.
 
-    A walk on a slow machine draws less, to hold its frame rate (see window/pace.py). ``scale`` is
+    A walk on a slow machine draws less, to hold its frame rate (see walk/pace.py). ``scale`` is
     how many pixels are drawn per pixel of the window, along each side; ``shift`` moves what is
     drawn to the right and up, in pixels of the window. ``coarser`` is how many times larger an
     error in pixels may be, where meshes and sprites are chosen by their size in pixels. ``grass``

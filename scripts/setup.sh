@@ -150,8 +150,8 @@ make_venv() {
 # Install the package with the given extras; repeat only when pyproject.toml changes.
 install_package() {
     local extras=$1 stamp=.venv/.installed now
-    now="$PWD $(cksum <pyproject.toml)"
-    if [ -x .venv/bin/landscape ] && [ "$(head -n 1 "$stamp" 2>/dev/null)" = "$now" ]; then
+    now="$PWD $(cat pyproject.toml framelens/pyproject.toml | cksum)"
+    if [ -x .venv/bin/landscape ] && [ -x .venv/bin/framelens ] && [ "$(head -n 1 "$stamp" 2>/dev/null)" = "$now" ]; then
         case " $(tail -n 1 "$stamp") " in *" $extras "*) return ;; esac
     fi
     have_venv .venv || make_venv .venv
@@ -160,7 +160,7 @@ install_package() {
     say "installing $target into .venv (pip; the first time takes a minute or two)"
     # The distribution's name until version 0.1.
     quietly .venv/bin/python -m pip uninstall -q -y landscape
-    quietly .venv/bin/python -m pip install -q --disable-pip-version-check -e "$target" ||
+    quietly .venv/bin/python -m pip install -q --disable-pip-version-check -e ./framelens -e "$target" ||
         die 1 "pip could not install $target; is the network available?"
     # Record the extras that are included in this one.
     case $extras in
@@ -218,7 +218,7 @@ have_window_library() {
 }
 
 has_library() {
-    .venv/bin/python -c 'import sys; from landscape.gl.libraries import load; load(sys.argv[1])' "$1" \
+    .venv/bin/python -c 'import sys; from framelens.gl.libraries import load; load(sys.argv[1])' "$1" \
         2>/dev/null
 }
 

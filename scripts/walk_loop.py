@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from landscape.scene import find_view
-from landscape.tools.bench_moving import Options, opened, pictures
-from landscape.window.pace import WALKING
-from landscape.window.walker import Intent
+from landscape.bench.moving import Options, opened, pictures
+from landscape.scene.scene import find_view
+from landscape.walk.pace import WALKING
+from landscape.walk.walker import Intent
 
 SIZE = (1280, 720)  # of the window
 SHOWN = (720, 405)  # of the loop

@@ -6,9 +6,9 @@ from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
 from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.dragon import Dragon
 from landscape.elements.rabbit import Rabbit
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.geometry.height_field import HeightField
-from landscape.settings import Settings
 
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from stage import PLAIN, WHITE_LIGHT, Stage, small
 
-from landscape.elements.best.ornate.weathered_castle import castle_class
+from landscape.elements.best.castle.weathered_castle import castle_class
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField

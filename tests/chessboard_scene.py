@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
+from framelens.gl.seam import drawing, gl
+from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
 from landscape.frame import Pose
 from landscape.geometry.obstacles import Tower
-from landscape.gl.calls import drawing, gl
-from landscape.keys import Toggle, setting
-from landscape.scene import Scene, View, begin_frame
-from landscape.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.scene.scene import Scene, View, begin_frame
+from landscape.settings.declare import Toggle, setting
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,8 @@ import pytest
 from copies import copies, differ_late
 from PIL import Image
 
+from framelens.gl.libraries import load
 from landscape.files.assets import shipped
-from landscape.gl.libraries import load
 
 TESTS = Path(__file__).resolve().parent
 SECONDS = 300  # timeout of a command; the machine may be busy

@@ -21,7 +21,7 @@ else:
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # Numpy's library starts a thread for each processor, in each of a few hundred processes.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when landscape.gl.context first imports OpenGL
+os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when framelens.gl.context first imports OpenGL
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator
@@ -33,9 +33,9 @@ from gl_state import changes, snapshot
 from hall_pictures import HallPictures
 from stage import Stage, write_plain
 
-from landscape.errors import NoOpenGLError
+from framelens.base.errors import NoOpenGLError
+from framelens.gl.context import Context, open_context
 from landscape.files.assets import Assets
-from landscape.gl.context import Context, open_context
 
 
 def pytest_collection_finish() -> None:

@@ -35,9 +35,9 @@ LATER = {
 # The copy leaves the loop: its end is that of the interpreter, with all that Python does there.
 _SERVER = """
 import gc, json, os, runpy, sys
-import landscape.cli, landscape.render, landscape.tools.render_many, platformdirs, PIL.Image
+import landscape.cli, landscape.offscreen, landscape.commands.render_many, platformdirs, PIL.Image
 from landscape.files import cache
-from landscape.scene import SCENES, scene
+from landscape.scene.scene import SCENES, scene
 for name in SCENES:
     scene(name)
 PIL.Image.preinit()

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from landscape.capture.spec import kind_of
-from landscape.gl import calls, extensions, foreign
+from framelens.gl import extensions, foreign, seam
+from framelens.spec.spec import kind_of
 from landscape.gl.features import FEATURES
 
 VERSIONS = ("1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0", "3_1", "3_2", "3_3")
@@ -162,5 +162,5 @@ def emulated(driver: Driver) -> Iterator[Driver]:
 
 def _forget() -> None:
     """Let the seam look all functions up again."""
-    calls._plain.clear()
-    calls._noted.clear()
+    seam._plain.clear()
+    seam._noted.clear()

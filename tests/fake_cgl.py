@@ -35,7 +35,7 @@ class Framework:
         return NO_ERROR
 
     def CGLCreateContext(self, pixel_format: Any, shared: Any, context: Any) -> int:
-        from landscape.gl.contexts import egl
+        from framelens.gl.contexts import egl
 
         self.calls.append(("create", pixel_format.value))
         self._egl = egl.library()
@@ -72,8 +72,8 @@ class Framework:
 
 def install(refused: tuple[str, ...] = ()) -> Framework:
     """Have CGLContext use this in place of macOS's framework; return it."""
-    from landscape.gl.contexts import cgl
-    from landscape.gl.libraries import functions
+    from framelens.gl.contexts import cgl
+    from framelens.gl.libraries import functions
 
     framework = Framework(refused)
     declared = functions(framework, "OpenGL", cgl.FUNCTIONS, "cgl")  # type: ignore[arg-type]

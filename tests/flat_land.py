@@ -7,8 +7,8 @@ import numpy as np
 from stage import small
 
 from landscape.elements.ground import Ground
+from landscape.elements.settings import Settings
 from landscape.geometry.height_field import HeightField
-from landscape.settings import Settings
 
 
 def flat(height: float = 3.0, size: float = 40.0) -> Ground:

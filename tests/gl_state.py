@@ -9,8 +9,8 @@ import re
 from functools import cache
 from typing import Any
 
-from landscape.capture.state import difference, read
-from landscape.gl.calls import gl
+from framelens.gl.seam import gl
+from framelens.state.state import difference, read
 
 LEFT_OUT = re.compile(
     r"GL_CURRENT_NORMAL|.*\.GL_CURRENT_TEXTURE_COORDS|GL_(UN)?PACK_ALIGNMENT"

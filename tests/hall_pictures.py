@@ -5,13 +5,13 @@ from typing import Any
 import numpy as np
 from stage import Stage
 
-from landscape.effects.hall import SCENE, Hall
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.seam import gl
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.gl.framebuffer import read_pixels
-from landscape.keys import with_settings
-from landscape.scene import Moment, placed
+from landscape.hall.hall import SCENE, Hall
+from landscape.scene.scene import Moment, placed
+from landscape.settings.declare import with_settings
 
 SIZE = (120, 90)
 

@@ -8,9 +8,9 @@ import numpy as np
 from landscape.elements.best.sprites.refined_planting import TintedSprites, plant_refined
 from landscape.elements.ground import Ground
 from landscape.elements.planting import plant
+from landscape.elements.settings import Settings
 from landscape.geometry.height_field import HeightField
-from landscape.keys import with_settings
-from landscape.settings import Settings
+from landscape.settings.declare import with_settings
 
 ALL = {"trees", "deer", "plants"}
 

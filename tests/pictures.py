@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from framelens.gl.seam import gl
 from landscape.gallery.compare import agree, amplified, difference
-from landscape.gl.calls import gl
 
 GOLDEN = Path(__file__).resolve().parent / "golden"
 RENDERER = GOLDEN / "renderer.txt"

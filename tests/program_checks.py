@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 from watching import colours
 
-from landscape.capture.edits import Edits, located_at
-from landscape.capture.pixel import history
-from landscape.capture.program_tape import on_frame
-from landscape.capture.steps import issue
-from landscape.capture.tape import Tape
-from landscape.gl.framebuffer import read_pixels
+from framelens.gl.framebuffer import read_pixels
+from framelens.program.program_tape import on_frame
+from framelens.tape.edits import Edits, located_at
+from framelens.tape.pixel import history
+from framelens.tape.steps import issue
+from framelens.tape.tape import Tape
 
-LESSON = Path(__file__).parents[1] / "landscape" / "lessons" / "text.py"
+LESSON = Path(__file__).parents[1] / "landscape" / "course" / "lessons" / "text.py"
 LANTERN = Path(__file__).parent / "programs" / "lantern.py"
 SMALL = """
 import glfw

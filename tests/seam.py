@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from landscape.gl.calls import Listing
+from framelens.gl.seam import Listing
 
 
 class Replaced:

@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 from stage import SIZE, WHITE_LIGHT, Stage, quad, small
 
+from framelens.gl.seam import Call, gl, recording
 from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
 from landscape.elements.best.sea.sea import Sea, reflected
 from landscape.elements.reflection import mirrored
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import Call, gl, recording
 
 LEVEL = 0.6
 POSE = Pose(20.0, 1.1, 24.0, 0.0, -12.0)

@@ -15,13 +15,13 @@ import numpy as np
 from gl_state import changes, snapshot
 from PIL import Image
 
+from framelens.gl.context import Context
+from framelens.gl.framebuffer import Framebuffer
+from framelens.gl.seam import gl
+from landscape.elements.settings import Settings
 from landscape.frame import Frame, Pose
-from landscape.gl.calls import gl
-from landscape.gl.context import Context
-from landscape.gl.framebuffer import Framebuffer
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame
-from landscape.settings import Settings
+from landscape.scene.scene import Moment, begin_frame
+from landscape.settings.declare import with_settings
 
 SIZE = (160, 120)
 

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from landscape.gl.calls import gl
-from landscape.gl.context import Context
+from framelens.gl.context import Context
+from framelens.gl.seam import gl
 
 Expected = dict[str, Any]
 Fresh = Callable[[], Context]

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from landscape.capture import state
-from landscape.gl.apart import apart
-from landscape.gl.calls import gl
-from landscape.gl.objects import forget_objects
+from framelens.gl.apart import apart
+from framelens.gl.objects import forget_objects
+from framelens.gl.seam import gl
+from framelens.state import state
 
 
 def _spoil() -> None:

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage, small
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from landscape.elements.settings import PRESETS, Settings
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.island import ELEMENTS, Island
-from landscape.keys import Field, fields, get, with_settings
-from landscape.scene import Moment
-from landscape.settings import PRESETS, Settings
+from landscape.island.island import ELEMENTS, Island
+from landscape.scene.scene import Moment
+from landscape.settings.declare import Field, fields, get, with_settings
 
 FEW: dict[str, Any] = {
     "grass.count": 20_000,

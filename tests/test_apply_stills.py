@@ -13,9 +13,9 @@ import pytest
 from stage import SIZE, Stage
 
 from landscape.files.assets import Assets
-from landscape.keys import get, with_settings
-from landscape.render import Offscreen, baked_alike
-from landscape.scene import Moment, OpenScene, Scene, View, placed, scene
+from landscape.offscreen import Offscreen, baked_alike
+from landscape.scene.scene import Moment, OpenScene, Scene, View, placed, scene
+from landscape.settings.declare import get, with_settings
 
 # The same voxel island in larger blocks, which is built in a quarter of the time.
 COARSE: dict[str, Any] = {

@@ -16,15 +16,15 @@ import pytest
 from commands import SECONDS, running
 from PIL import Image
 
+from framelens.base.errors import InputError
+from framelens.base.output import write_whole
 from landscape.cli import main
-from landscape.errors import InputError
 from landscape.files.assets import Assets, shipped
 from landscape.files.meshes import read_ply
-from landscape.files.output import write_whole
 from landscape.geometry.mesh import vertex_normals
-from landscape.tools import asset_check as checks
-from landscape.tools import asset_measures as measures
-from landscape.tools.asset_check import check, report
+from landscape.studio import asset_check as checks
+from landscape.studio import asset_measures as measures
+from landscape.studio.asset_check import check, report
 
 
 @pytest.fixture(scope="module")
@@ -346,21 +346,21 @@ def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
 def test_the_hall_s_light_was_baked_from_the_hall_as_it_is(
     studio: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from landscape.effects import plan
-    from landscape.studio import hall_bake, hall_light
+    from landscape.hall import plan
+    from landscape.studio.hall import bake, light
 
     # The statue is the shipped dragon, which would take ten seconds to sculpt again.
     mesh = read_ply(shipped() / "dragon.ply")
-    monkeypatch.setattr(hall_light, "sculpted", lambda: (*mesh, None))
-    with Image.open(shipped() / hall_bake.FILE) as image:
+    monkeypatch.setattr(light, "sculpted", lambda: (*mesh, None))
+    with Image.open(shipped() / bake.FILE) as image:
         kept = image.info[studio.MADE_FROM]
-    now = hall_bake.baked_from()
+    now = bake.baked_from()
     assert kept == now, "hall_light.png is stale: landscape assets build hall_light.png"
     moves = {"PILLAR": plan.PILLAR + 0.001, "TORCH": (*plan.TORCH[:2], 1.0), "STATUE_YAW": 1.0}
     for name, moved in moves.items():
         with monkeypatch.context() as changed:
             changed.setattr(plan, name, moved)
-            assert hall_bake.baked_from() != now, name
+            assert bake.baked_from() != now, name
 
 
 def test_what_an_asset_is_made_from_is_in_its_png_beside_the_pixels(studio: Any) -> None:

@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 from commands import TESTS, end, environment, has_library, landscape, need_library, python
 
-from landscape.gl import advice, libraries
-from landscape.tools import doctor
+from framelens.gl import advice, libraries
+from landscape.commands import doctor
 
 SCENE = (
     "fig35a",
@@ -39,9 +39,9 @@ DRAW = (
 import hashlib, json, sys
 sys.path.insert(0, TESTS)
 import landscape
-from landscape.gl import ownership
-from landscape.gl.calls import gl
-from landscape.gl.contexts.glfw import GLFWContext
+from framelens.gl import ownership
+from framelens.gl.seam import gl
+from framelens.gl.contexts.glfw import GLFWContext
 
 backend, null = sys.argv[1].removeprefix("null "), sys.argv[1].startswith("null ")
 if null:
@@ -68,7 +68,7 @@ print(json.dumps(found))
 WITHOUT = """
 import sys
 from landscape.cli import main
-from landscape.gl import libraries
+from framelens.gl import libraries
 
 hidden, load = sys.argv[1].split(","), libraries.load
 
@@ -238,8 +238,8 @@ def test_a_missing_backend_keeps_nothing_alive() -> None:
     code = """
 import gc, weakref
 import landscape
-from landscape.errors import NoOpenGLError
-from landscape.gl import context
+from framelens.base.errors import NoOpenGLError
+from framelens.gl import context
 
 def missing():
     raise NoOpenGLError("no OSMesa library")
@@ -259,8 +259,8 @@ print(dropped())
 def test_a_second_platform_in_one_process_is_refused_with_an_explanation() -> None:
     need_library("OSMesa", "EGL")
     code = """
-from landscape.errors import NoOpenGLError
-from landscape.gl.context import open_context
+from framelens.base.errors import NoOpenGLError
+from framelens.gl.context import open_context
 open_context("osmesa").release()
 try:
     open_context("egl")
@@ -276,9 +276,9 @@ def test_a_context_may_be_closed_right_after_a_bitmap_was_drawn(backend: str) ->
     need_library("OSMesa")
     code = """
 import sys
-from landscape.gl.calls import gl
-from landscape.gl.context import open_context
-from landscape.gl.contexts.glfw import GLFWContext
+from framelens.gl.seam import gl
+from framelens.gl.context import open_context
+from framelens.gl.contexts.glfw import GLFWContext
 null = sys.argv[1] == "null"
 context = GLFWContext(size=(40, 30), backend="headless") if null else open_context("osmesa")
 gl.glRasterPos2f(0.0, 0.0)
@@ -294,8 +294,8 @@ def test_contexts_can_be_opened_and_closed_repeatedly_in_one_process(backend: st
     need_library({"osmesa": "OSMesa", "egl": "EGL"}[backend])
     code = """
 import sys
-from landscape.gl.calls import gl
-from landscape.gl.context import open_context
+from framelens.gl.seam import gl
+from framelens.gl.context import open_context
 for _ in range(20):
     context = open_context(sys.argv[1])
     assert gl.glGetString(gl.GL_VERSION)
@@ -349,8 +349,8 @@ def test_doctor_prints_one_line_per_backend() -> None:
 def test_doctor_ends_with_status_3_and_names_packages_if_nothing_works() -> None:
     code = """
 import sys
-from landscape.tools import doctor
-from landscape.gl import advice
+from landscape.commands import doctor
+from framelens.gl import advice
 from landscape.cli import main
 doctor.probe = lambda name: {"ok": False, "reason": advice.install(name, on="debian")}
 sys.exit(main(["doctor", *sys.argv[1:]]))
@@ -365,7 +365,7 @@ sys.exit(main(["doctor", *sys.argv[1:]]))
 def test_doctor_survives_a_backend_that_crashes_or_hangs() -> None:
     code = """
 import json
-from landscape.tools import doctor
+from landscape.commands import doctor
 doctor._PROBE = "import os, sys, time; os.abort() if sys.argv[1] == 'egl' else time.sleep(600)"
 crashed = doctor.probe("egl")
 doctor.SECONDS = 2
@@ -379,7 +379,7 @@ print(json.dumps([crashed, doctor.probe("osmesa")]))
 def test_doctor_says_where_a_backend_met_what_nobody_foresaw(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    context = "from landscape.gl import context; context.open_context = lambda name: {}['a defect']"
+    context = "from framelens.gl import context; context.open_context = lambda name: {}['a defect']"
     (tmp_path / "sitecustomize.py").write_text(context, encoding="utf-8")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
     state = doctor.probe("osmesa")

@@ -14,7 +14,8 @@ import pytest
 from commands import Done, Shell, refused
 from PIL import Image
 
-from landscape import keys, settings
+from landscape.elements import settings
+from landscape.settings import declare
 
 GREY = np.random.default_rng(1).integers(0, 255, (48, 48), dtype=np.uint8)
 SMALL = ("render", "--preset", "2006", "--size", "40x30", "--samples", "0")
@@ -487,11 +488,11 @@ def test_the_largest_allowed_values_are_rendered(shell: Shell) -> None:
 
 
 def test_every_number_has_a_largest_and_a_smallest_value() -> None:
-    for key, item in keys.fields(settings.Settings).items():
+    for key, item in declare.fields(settings.Settings).items():
         sample = item.default[0] if isinstance(item.default, tuple) else item.default
         if not isinstance(sample, bool | str):
             assert item.metadata["low"] < item.metadata["high"], key
-    assert keys.with_settings(settings.Settings(), {"grass.count": 10_000_000})
+    assert declare.with_settings(settings.Settings(), {"grass.count": 10_000_000})
 
 
 # --- the other arguments -----------------------------------------------------------------------
@@ -646,4 +647,4 @@ def test_the_contact_sheet_of_broken_assets_is_not_written(shell: Shell) -> None
 
 def test_the_settings_command_still_works_after_all_these_errors(shell: Shell) -> None:
     rows = json.loads(shell("settings", "--json").out)
-    assert {row["key"] for row in rows} >= keys.fields(settings.Settings).keys()
+    assert {row["key"] for row in rows} >= declare.fields(settings.Settings).keys()

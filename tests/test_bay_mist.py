@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from flat_land import flat
 
-from landscape.elements.best.air.bay_mist import CLEAR, EDGE, HIGH, LOW, BayMist, opacity, sheet
+from framelens.gl.seam import recording
+from landscape.elements.best.mist.bay_mist import CLEAR, EDGE, HIGH, LOW, BayMist, opacity, sheet
+from landscape.elements.settings import Settings, Sun
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import recording
-from landscape.keys import with_settings
-from landscape.render import Offscreen
-from landscape.settings import Settings, Sun
+from landscape.offscreen import Offscreen
+from landscape.settings.declare import with_settings
 
 SEA = HeightField(np.zeros((4, 4), np.float32), 40.0, 0.6)
 OVER_THE_BAY = (8.6, 1.4, 33.7, 25.0, -5.0)

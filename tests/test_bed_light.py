@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 from stage import Stage
 
+from framelens.gl import extensions
 from landscape.elements.best.terrain.bed_light import DEEPEST, fade_picture, strength, under_net
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.mesh import Mesh, grid_triangles, vertex_normals
-from landscape.gl import extensions
-from landscape.island import Island
-from landscape.keys import with_settings
-from landscape.scene import Moment
-from landscape.settings import preset
+from landscape.island.island import Island
+from landscape.scene.scene import Moment
+from landscape.settings.declare import with_settings
 
 SIZE = (160, 120)
 BARE = {"ground.stones": 0, "ground.texture_size": 512, "fog.enabled": False, "camera.fov": 60.0}

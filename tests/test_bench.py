@@ -15,19 +15,19 @@ import pytest
 from commands import SECONDS, TESTS, environment, landscape
 from stage import SMALL, SMALL_BEST, Stage, live_names, small
 
+from framelens.base.errors import InputError
+from framelens.gl.replay import Replay
+from framelens.gl.texture import Texture
+from landscape.bench import bench
+from landscape.bench.grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
+from landscape.bench.timing import Layer, clear
+from landscape.bench.tone import CASES
 from landscape.cli import main
-from landscape.errors import InputError
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
-from landscape.gl.replay import Replay
-from landscape.gl.texture import Texture
-from landscape.scene import SEED, Moment, OpenScene, find_view
-from landscape.settings import preset
-from landscape.tools import bench
-from landscape.tools.bench_grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
-from landscape.tools.bench_tone import CASES
-from landscape.tools.timing import Layer, clear
+from landscape.scene.scene import SEED, Moment, OpenScene, find_view
 
 LIGHT = {**SMALL, "deer.count": 4}
 TINY: dict[str, Any] = {
@@ -45,7 +45,7 @@ TINY: dict[str, Any] = {
 def result() -> dict[str, Any]:
     """A bench of a light island, in a process of its own: it opens and closes a context."""
     code = (
-        "import sys, json; from landscape.tools import bench;"
+        "import sys, json; from landscape.bench import bench;"
         "options = bench.Options(**json.loads(sys.argv[1])); heard = [];"
         "out = bench.measure(options, heard.append);"
         "print(json.dumps({'result': out, 'heard': heard}))"
@@ -238,7 +238,7 @@ def test_the_four_ways_draw_the_same_picture(stage: Stage) -> None:
 
 
 def test_the_loop_of_2006_makes_a_call_for_every_vertex_and_the_arrays_one(stage: Stage) -> None:
-    from landscape.gl.calls import recording
+    from framelens.gl.seam import recording
 
     blades = flat_blades(50)
     texture = Texture(np.full((4, 4, 3), 200, np.uint8))
@@ -269,8 +269,8 @@ import numpy as np
 sys.path.insert(0, sys.argv[1])
 from stage import live_names
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.render import Offscreen
+from framelens.gl.seam import gl
+from landscape.offscreen import Offscreen
 
 def resident():
     with open("/proc/self/statm") as file:

@@ -8,7 +8,7 @@ import pytest
 from commands import need_library, python
 from stage import SMALL_BEST
 
-from landscape.tools.bench_moving import Picture, carried, flicker, means, off, report
+from landscape.bench.moving import Picture, carried, flicker, means, off, report
 
 TINY = {
     "views": ["fig35b", "fig35g"],
@@ -24,7 +24,7 @@ def result() -> dict[str, Any]:
     """What is measured in a short walk on a light island."""
     need_library("OSMesa")
     code = (
-        "import sys, json; from landscape.tools import bench_moving as b;"
+        "import sys, json; from landscape.bench import moving as b;"
         f"print(json.dumps(b.measure(b.Options(**json.loads({json.dumps(json.dumps(TINY))})))))"
     )
     answer: dict[str, Any] = json.loads(python(code).out)

@@ -25,6 +25,7 @@ from sprite_stage import (
 )
 from stage import Stage, close, pixel, project
 
+from framelens.base.errors import InputError
 from landscape.elements.atlas import on_white, read_picture, white_to_alpha
 from landscape.elements.best.sprites.backs import back_from_above
 from landscape.elements.best.sprites.crossings import cut, cuts, neighbours
@@ -34,7 +35,6 @@ from landscape.elements.best.sprites.slope_billboards import place_axes
 from landscape.elements.places_file import as_csv, read_places
 from landscape.elements.planting import DEER, PLANT, Sprites
 from landscape.elements.transparent_elements import TransparentElements, billboards
-from landscape.errors import InputError
 from landscape.files.assets import shipped
 from landscape.files.images import read_image
 from landscape.frame import Pose

@@ -9,12 +9,14 @@ from castles import BRICK, DOOR, FLAT, GATE, PLACED, at, drawn
 from PIL import Image
 from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write_plain
 
-from landscape.elements.best.ornate.gate import CastleInOnePass
-from landscape.elements.best.ornate.ornate_castle import OrnateCastle
-from landscape.elements.best.ornate.weathered_castle import castle_class
+from framelens.gl.seam import gl
+from landscape.elements.best.castle.gate import CastleInOnePass
+from landscape.elements.best.castle.ornate_castle import OrnateCastle
+from landscape.elements.best.castle.weathered_castle import castle_class
 from landscape.elements.castle import Castle
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, flame_across, flame_frame
 from landscape.elements.castle_gate import light_shift
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
@@ -31,9 +33,7 @@ from landscape.geometry.masonry import (
     walls_mesh,
 )
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import gl
-from landscape.keys import with_settings
-from landscape.settings import preset
+from landscape.settings.declare import with_settings
 
 LIGHT = np.array(PLAIN["castle_light.png"]) / 255
 

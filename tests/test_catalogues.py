@@ -12,10 +12,11 @@ from types import ModuleType
 import pytest
 from commands import TESTS, Done, environment, python
 
-from landscape import languages
-from landscape.errors import InputError
+from framelens.base import texts as translations
+from framelens.base.errors import InputError
+from framelens.base.packages import PACKAGES, Package
+from framelens.base.texts import reworded, translator
 from landscape.gallery.scene_captions import VIEW_TEXTS
-from landscape.languages import LOCALE, reworded, translator
 
 SCRIPT = TESTS.parent / "scripts" / "catalogues"
 
@@ -50,16 +51,17 @@ def test_a_reader_that_closes_the_pipe_sees_no_traceback() -> None:
 
 
 def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_path: Path) -> None:
-    shutil.copytree(LOCALE, tmp_path, dirs_exist_ok=True)
+    for package in PACKAGES:
+        shutil.copytree(package.locale, tmp_path, dirs_exist_ok=True)
     path = tmp_path / "fr" / "window.po"
     whole = path.read_text(encoding="utf-8")
-    entry = f"#: landscape/window/words.py\n{FOG}"
+    entry = f"#: landscape/walk/words.py\n{FOG}"
     stale = FOG.replace("fog", "haze")
     path.write_text(stale + whole.replace(entry, ""), encoding="utf-8")
     (tmp_path / "fr" / "none.po").write_text(HEAD)
 
     done = run("check", "--locale", str(tmp_path))
-    missing = f"{path}: missing: 'fog', from landscape/window/words.py"
+    missing = f"{path}: missing: 'fog', from landscape/walk/words.py"
     stranger = f"{path.with_name('none.po')}: stale: no texts belong to it"
     assert (done.status, done.out.splitlines()) == (
         1,
@@ -228,11 +230,11 @@ def test_texts_are_found_in_calls_and_in_annotated_tables(
 @pytest.fixture
 def locale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """The folder of French catalogues, in place of the program's own."""
-    monkeypatch.setattr(languages, "LOCALE", tmp_path)
-    languages._catalogue.cache_clear()
-    (tmp_path / "fr").mkdir()
-    yield tmp_path / "fr"
-    languages._catalogue.cache_clear()
+    monkeypatch.setattr(translations, "PACKAGES", [Package("own", tmp_path)])
+    translations._catalogue.cache_clear()
+    (tmp_path / "locale" / "fr").mkdir(parents=True)
+    yield tmp_path / "locale" / "fr"
+    translations._catalogue.cache_clear()
 
 
 def test_a_text_is_translated_for_its_context_else_for_any_else_it_stays(locale: Path) -> None:

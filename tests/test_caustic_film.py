@@ -8,14 +8,14 @@ import pytest
 from landscape.elements.caustic_film import SHEET, between, cut, sines
 from landscape.files.assets import shipped
 from landscape.files.images import read_image
-from landscape.tools.asset_measures import seams
+from landscape.studio.asset_measures import seams
 
 
 @pytest.fixture(scope="module")
 def studio() -> Any:
     """The studio's module, if its extra is installed."""
     pytest.importorskip("scipy", reason="the extra `studio` is not installed")
-    from landscape.studio import caustics
+    from landscape.studio.land import caustics
 
     return caustics
 

@@ -8,8 +8,8 @@ import pytest
 pytest.importorskip("scipy", reason="the extra `studio` is not installed")
 from scipy import ndimage
 
-from landscape.studio import cirrus
-from landscape.studio.air import DUSK, FAIR
+from landscape.studio.sky import cirrus
+from landscape.studio.sky.air import DUSK, FAIR
 
 
 def opacity(x: np.ndarray, z: np.ndarray, scene: Any = FAIR) -> np.ndarray:

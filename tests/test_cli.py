@@ -20,13 +20,15 @@ from commands import SECONDS, TESTS, Shell, environment, landscape, python, runn
 from PIL import Image
 from stage import SMALL_BEST
 
-from landscape import __version__, cli, keys, settings
+from landscape import __version__, cli
+from landscape.commands.common import build_parser, parse
+from landscape.elements import settings
 from landscape.files.assets import recording
-from landscape.fixes import FIXES
-from landscape.island import ELEMENTS
-from landscape.options import build_parser, parse
-from landscape.scene import SCENES, listed_views, scene
-from landscape.views import VIEWS
+from landscape.island.fixes import FIXES
+from landscape.island.island import ELEMENTS
+from landscape.island.views import VIEWS
+from landscape.scene.scene import SCENES, listed_views, scene
+from landscape.settings import declare
 
 # A key that means the same in several scenes is listed once.
 EVERY_KEY = [
@@ -34,7 +36,7 @@ EVERY_KEY = [
     for key, _does in dict.fromkeys(
         (key, item.metadata["does"])
         for name in SCENES
-        for key, item in keys.fields(type(scene(name).settings)).items()
+        for key, item in declare.fields(type(scene(name).settings)).items()
     )
 ]
 NINE = [f"fig35{panel}" for panel in "abcdefghi"]

@@ -11,7 +11,7 @@ from landscape.elements.sky_box import SkyBox
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.island import SCENE
+from landscape.island.island import SCENE
 
 TOP = np.array((0, 200, 200))
 
@@ -94,7 +94,7 @@ def test_a_cumulus_of_domes_is_wider_than_high_and_fills_its_base(
     width: float, tall: float
 ) -> None:
     pytest.importorskip("numba", reason="the extra `studio` is not installed")
-    from landscape.studio.domes import cloud_spheres
+    from landscape.studio.sky.domes import cloud_spheres
 
     for seed in range(5):
         spheres = cloud_spheres(np.random.default_rng(seed), 0.0, 0.0, width, tall)

@@ -9,14 +9,14 @@ import pytest
 from commands import Shell
 
 import landscape
-from landscape import keys
-from landscape.conditions import WALK, conditions, ignored, in_words, notices, terms
-from landscape.island import ELEMENTS
-from landscape.scene import scene
-from landscape.settings import Settings
+from landscape.elements.settings import Settings
+from landscape.island.island import ELEMENTS
+from landscape.scene.scene import scene
+from landscape.settings import declare
+from landscape.settings.notices import WALK, conditions, ignored, in_words, notices, terms
 
 ISLAND = scene("island")
-KEYS = keys.fields(Settings)
+KEYS = declare.fields(Settings)
 
 
 def why(key: str, preset: str = "best", shown: tuple[str, ...] = ELEMENTS, **changes: Any) -> str:
@@ -31,7 +31,7 @@ def test_conditions_name_existing_settings_elements_or_the_walk(key: str) -> Non
         for term in terms(condition):
             assert term.known(Settings(), ELEMENTS), condition
             if term.sign in ("=", "!="):
-                keys.with_settings(Settings(), {term.name: term.value})
+                declare.with_settings(Settings(), {term.name: term.value})
 
 
 def test_each_of_the_reasons_is_named() -> None:

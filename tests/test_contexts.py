@@ -12,9 +12,9 @@ import pytest
 from commands import TESTS, environment, landscape, need_library, python
 from watching import screen
 
-from landscape.errors import NoOpenGLError
-from landscape.gl import advice, libraries
-from landscape.gl.contexts import glfw
+from framelens.base.errors import NoOpenGLError
+from framelens.gl import advice, libraries
+from framelens.gl.contexts import glfw
 
 BEGIN = (
     f"""
@@ -22,10 +22,10 @@ import sys
 sys.path.insert(0, {str(TESTS)!r})
 """
     + """
-from landscape.errors import NoOpenGLError
-from landscape.gl import context, libraries
-from landscape.gl.calls import gl
-from landscape.gl.context import open_context
+from framelens.base.errors import NoOpenGLError
+from framelens.gl import context, libraries
+from framelens.gl.seam import gl
+from framelens.gl.context import open_context
 
 load = libraries.load
 
@@ -119,7 +119,7 @@ tell(open_context())
 def test_auto_goes_on_from_an_egl_without_a_driver() -> None:
     need_library("EGL")
     code = """
-from landscape.gl.contexts.egl import EGLContext
+from framelens.gl.contexts.egl import EGLContext
 without("OSMesa")
 EGLContext._displays = lambda self: ()
 tell(open_context())
@@ -150,7 +150,7 @@ def test_egl_draws_by_software_if_asked_to(device: bool) -> None:
     need_library("EGL")
     code = """
 import os
-from landscape.gl.contexts import egl
+from framelens.gl.contexts import egl
 without("OSMesa")
 if sys.argv[1] == "False":
     egl.software_device = lambda: None
@@ -168,7 +168,7 @@ print(os.environ.get("LIBGL_ALWAYS_SOFTWARE"))
 def test_a_renderer_that_is_no_software_is_refused_where_software_is_asked_for() -> None:
     need_library("EGL")
     code = """
-from landscape.gl.contexts import software
+from framelens.gl.contexts import software
 without("OSMesa")
 software.NAMES = ("abacus",)
 try:
@@ -199,7 +199,7 @@ def test_cgl_is_refused_where_there_is_none_with_what_to_use_instead() -> None:
 @pytest.mark.window
 def test_a_window_opens_on_the_screen_after_none_could_be_opened_without_one() -> None:
     code = """
-from landscape.gl.contexts.glfw import GLFWContext
+from framelens.gl.contexts.glfw import GLFWContext
 without("OSMesa")
 try:
     GLFWContext(backend="osmesa")
@@ -289,8 +289,8 @@ def test_glfw_on_macos_is_refused_outside_the_main_thread(monkeypatch: pytest.Mo
 def test_another_opengl_than_that_of_glfw_is_told_in_one_line() -> None:
     need_library("OSMesa", "GL")
     code = """
-from landscape.gl import binding
-from landscape.gl.contexts import glfw
+from framelens.gl import binding
+from framelens.gl.contexts import glfw
 glfw.use_platform = lambda name, checked=None: binding.use_platform("glx", checked)
 try:
     glfw.GLFWContext(backend="osmesa")
@@ -310,9 +310,9 @@ def test_a_program_in_another_opengl_than_that_of_its_window_is_told_so(tmp_path
         "glfw.make_context_current(window)\n"
     )
     code = """
-from landscape.capture import program_context
+from framelens.program import program_context
 from landscape.cli import main
-from landscape.gl import binding
+from framelens.gl import binding
 program_context.use_platform = lambda name, checked: binding.use_platform("glx", checked)
 sys.exit(main(sys.argv[1:]))
 """
@@ -325,7 +325,7 @@ sys.exit(main(sys.argv[1:]))
 @pytest.mark.window
 def test_a_missing_glut_is_told_with_the_file_that_it_is_on_this_system(tmp_path: Path) -> None:
     code = """
-from landscape.capture import program_glut
+from framelens.program import program_glut
 from landscape.cli import main
 program_glut.display.problem = lambda kind, environment: ""
 without("glut")

@@ -6,7 +6,7 @@ import pytest
 from register import ROOT
 
 from landscape.course import ladder, lecture
-from landscape.course.exercises import NAMES as EXERCISES
+from landscape.course.exercise import NAMES as EXERCISES
 from landscape.course.pages import blocks, cells
 
 PAGE = ROOT / "docs" / "course.md"

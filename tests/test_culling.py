@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 
 SIZE = (320, 240)
 ALL_DRAWN = {"camera.cull": False, "camera.lod_pixels": 0.0, "water.query": False}

@@ -13,8 +13,8 @@ import pytest
 from PIL import Image
 
 from landscape.cli import COMMANDS
-from landscape.options import parse
-from landscape.scene import find_view
+from landscape.commands.common import parse
+from landscape.scene.scene import find_view
 
 ROOT = Path(__file__).parents[1]
 WORKFLOW = (ROOT / ".github" / "workflows" / "desks.yml").read_text(encoding="utf-8")

@@ -6,12 +6,12 @@ import chessboard_scene
 import glfw
 import pytest
 
-from landscape import keys
-from landscape.keys import Toggle
-from landscape.scene import SCENES, scene
-from landscape.window.bindings import BINDINGS, Namer, label, letters_in, us_name
-from landscape.window.digits import help_rows, pressed
-from landscape.window.hands import Hands
+from landscape.scene.scene import SCENES, scene
+from landscape.settings import declare
+from landscape.settings.declare import Toggle
+from landscape.walk.digits import help_rows, pressed
+from landscape.walk.hands import Hands
+from landscape.walk.keys import BINDINGS, Namer, label, letters_in, us_name
 
 pytestmark = pytest.mark.window
 
@@ -36,8 +36,8 @@ def test_a_digit_pressed_twice_between_two_frames_changes_nothing_and_choices_go
     settings = BOARD.values(None)
     assert pressed(BOARD, settings, ("1", "1"), "en")[1]["fog.enabled"] is settings.fog.enabled
     changes = pressed(BOARD, settings, ("2", "2"), "en")[1]
-    once = keys.with_settings(settings, {"fog.mode": keys.next_value(settings, "fog.mode")})
-    assert changes == {"fog.mode": keys.next_value(once, "fog.mode")}
+    once = declare.with_settings(settings, {"fog.mode": declare.next_value(settings, "fog.mode")})
+    assert changes == {"fog.mode": declare.next_value(once, "fog.mode")}
 
 
 def test_the_help_lists_the_digits_of_the_scene() -> None:
@@ -52,8 +52,8 @@ def test_each_digit_of_a_scene_stands_for_a_setting_that_can_be_toggled(name: st
     for digit, toggle in kind.digits.items():
         assert digit in "123456789" and len(digit) == 1
         value = toggle.next(kind.settings)
-        changed = keys.with_settings(kind.settings, {toggle.setting: value})
-        assert changed != kind.settings and keys.get(changed, toggle.setting) == value
+        changed = declare.with_settings(kind.settings, {toggle.setting: value})
+        assert changed != kind.settings and declare.get(changed, toggle.setting) == value
 
 
 CLAIMING = replace(
@@ -119,4 +119,4 @@ def test_letters_of_a_scene_leave_each_action_a_key_and_can_be_toggled(name: str
     for letter, toggle in kind.letters.items():
         assert label(letter, us_name, kind.letters) == letter
         value = toggle.next(kind.settings)
-        assert keys.with_settings(kind.settings, {toggle.setting: value}) != kind.settings
+        assert declare.with_settings(kind.settings, {toggle.setting: value}) != kind.settings

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from commands import end, environment, landscape
 
-from landscape.gl import display
-from landscape.gl.display import choose, problem
+from framelens.gl import display
+from framelens.gl.display import choose, problem
 
 pytestmark = [
     pytest.mark.window,

@@ -10,17 +10,17 @@ import pytest
 from commands import Shell
 from register import ROOT, STATES, Row, distinct_commands, quick, rows
 
+from framelens.base.errors import InputError
 from landscape.cli import COMMANDS
+from landscape.commands.common import parse
+from landscape.commands.settings_list import rows as settings_rows
 from landscape.course import ladder
-from landscape.course.exercises import NAMES as EXERCISES
+from landscape.course.exercise import NAMES as EXERCISES
 from landscape.course.pages import by_cell, cells, has_words
-from landscape.errors import InputError
+from landscape.flyover.app import command as flyover_command
 from landscape.flyover.environment import NAMES as ENVIRONMENTS
 from landscape.gallery.panels import named_panels
-from landscape.options import parse
-from landscape.scene import SCENES, find_view, scene
-from landscape.tools import flyover_command
-from landscape.tools.settings_list import rows as settings_rows
+from landscape.scene.scene import SCENES, find_view, scene
 
 COUNTS = {1: 152, 2: 70, 3: 59, 4: 122, 5: 71}
 UNFINISHED = ()  # documents not all of whose items are in the page yet

@@ -13,24 +13,24 @@ from castles import BRICK, GATE, PLACED, at, drawn
 from commands import environment, python
 from stage import Stage, close, pixel, project
 
-from landscape.effects import plan
-from landscape.effects.entrance import door
-from landscape.effects.hall import SCENE, Ground, obstacles
-from landscape.elements.best.ornate import ornate_castle, weathered_castle
-from landscape.elements.best.ornate.open_door import DARK, GLOW, HALF, glow, half_arch, turned
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from landscape.elements.best.castle import ornate_castle, weathered_castle
+from landscape.elements.best.castle.open_door import DARK, GLOW, HALF, glow, half_arch, turned
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.doors import BEFORE, REACH, Door
 from landscape.geometry.obstacles import RADIUS
-from landscape.island import Island
-from landscape.keys import with_settings
-from landscape.scene import SCENES
-from landscape.settings import preset
-from landscape.window import recording
-from landscape.window.place import Places, at_doors
-from landscape.window.recording import Plan, Tick
-from landscape.window.walker import Intent, Walker, advance, start
+from landscape.hall import plan
+from landscape.hall.entrance import door
+from landscape.hall.hall import SCENE, Ground, obstacles
+from landscape.island.island import Island
+from landscape.scene.scene import SCENES
+from landscape.settings.declare import with_settings
+from landscape.walk import recording
+from landscape.walk.place import Places, at_doors
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent, Walker, advance, start
 
 pytestmark = pytest.mark.window
 
@@ -217,15 +217,15 @@ THROUGH = """
 import hashlib, json, sys
 from pathlib import Path
 import glfw
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.doors import Doored
-from landscape.scene import scene
-from landscape.window.app import Walk
-from landscape.window.loop import run
-from landscape.window.recording import Plan, Tick, Writer, read
-from landscape.window.walker import Intent
+from landscape.scene.scene import scene
+from landscape.walk.app import Walk
+from landscape.walk.loop import run
+from landscape.walk.recording import Plan, Tick, Writer, read
+from landscape.walk.walker import Intent
 
 island = scene("island")
 given = {"walk.speed": 0.6, "ground.resolution": 30, "ground.texture_size": 64,

@@ -14,13 +14,13 @@ import pytest
 from drivers import KNOWN, Driver, emulated
 from stage import SMALL_BEST
 
+from framelens.base.errors import NoOpenGLError
+from framelens.gl import extensions, features, state
 from landscape.elements import support
-from landscape.errors import NoOpenGLError
-from landscape.gl import extensions, features, state
+from landscape.elements.settings import Settings
 from landscape.gl.features import FEATURES, left_out, possible, reason
-from landscape.keys import fields
-from landscape.render import Offscreen
-from landscape.settings import Settings
+from landscape.offscreen import Offscreen
+from landscape.settings.declare import fields
 
 SIZE = (160, 120)
 BLOCKS: dict[str, Any] = {"voxel.regions": 4, "voxel.region_size": 30, "shadow.size": 256}
@@ -210,11 +210,11 @@ def test_what_changes_no_picture_is_not_told(
 def test_a_command_that_cannot_do_without_says_so_in_one_line(
     stage: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    features.require("landscape pixel")
+    features.require("a pixel's history")
     monkeypatch.setattr(features.extensions, "version", lambda: (2, 1))
     monkeypatch.setattr(features.extensions, "extensions", frozenset)
     with pytest.raises(NoOpenGLError, match="this OpenGL has no OpenGL 3"):
-        features.require("landscape pixel")
+        features.require("a pixel's history")
 
 
 @pytest.mark.parametrize("text", [b"OpenGL ES 3.2 Other", None])

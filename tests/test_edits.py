@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from commands import landscape, refused
 
-from landscape.capture.edit_files import read, write
-from landscape.capture.edits import Edits, Located, as_code, edited_value, located_at
-from landscape.capture.tape import Tape
-from landscape.errors import InputError
-from landscape.gl import calls
-from landscape.gl.calls import edited
-from landscape.render import Offscreen
+from framelens.base.errors import InputError
+from framelens.gl import seam
+from framelens.gl.seam import edited
+from framelens.tape.edit_files import read, write
+from framelens.tape.edits import Edits, Located, as_code, edited_value, located_at
+from framelens.tape.tape import Tape
+from landscape.offscreen import Offscreen
 
 SIZE = (160, 120)
 
@@ -390,7 +390,7 @@ def test_the_command_refuses_a_missing_file() -> None:
 
 def test_without_edits_nothing_is_wrapped() -> None:
     with edited(None):
-        assert calls.gl.__dict__ is calls._plain
+        assert seam.gl.__dict__ is seam._plain
 
 
 @pytest.mark.parametrize("former", [1.0, 1, True])
@@ -411,10 +411,10 @@ def test_the_source_that_a_file_names_is_read_within_bounds(
 
 
 def test_an_enumerant_given_as_a_number_has_its_name_in_the_code_of_a_call() -> None:
-    site = calls.Site("here.py", 1, "draw", "here.py")
+    site = seam.Site("here.py", 1, "draw", "here.py")
 
     def code(name: str, *args: Any) -> str:
-        return as_code(calls.Call(name, args, ("frame",), "main", site))
+        return as_code(seam.Call(name, args, ("frame",), "main", site))
 
     radial = np.array([0x855B], np.float32)
     assert code("glFogfv", 0x855A, radial) == (

@@ -14,35 +14,35 @@ import pytest
 from gl_state import changes, snapshot
 from stage import SIZE, SMALL, SMALL_BEST, Stage, live_names, write_plain, write_ply
 
+from framelens.base.errors import InputError
+from framelens.gl.seam import gl, recording
+from framelens.gl.state import attrib, client_arrays, flat_projection, front_faces, matrix
 from landscape.elements import sun
 from landscape.elements.atlas import CELLS
 from landscape.elements.best import meadow, sprites
-from landscape.elements.best.air.bay_mist import BayMist
 from landscape.elements.best.animals.fine_dragon import dragon_class
 from landscape.elements.best.animals.fine_rabbit import rabbit_class
+from landscape.elements.best.castle.weathered_castle import castle_class
 from landscape.elements.best.meadow.meadow import Meadow
-from landscape.elements.best.ornate.weathered_castle import castle_class
-from landscape.elements.best.overlay.steel_blade import sword_class
+from landscape.elements.best.mist.bay_mist import BayMist
 from landscape.elements.best.sea.sea import Sea
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.best.sword.steel_blade import sword_class
 from landscape.elements.best.terrain.terrain import ground_class
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
 from landscape.elements.map import Map
 from landscape.elements.reflection import mirrored
+from landscape.elements.settings import PRESETS, Settings, preset
 from landscape.elements.sky_box import SkyBox
 from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
-from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import gl, recording
-from landscape.gl.state import attrib, client_arrays, flat_projection, front_faces, matrix
-from landscape.island import Island
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame
-from landscape.settings import PRESETS, Settings, preset
+from landscape.island.island import Island
+from landscape.scene.scene import Moment, begin_frame
+from landscape.settings.declare import with_settings
 
 POSE = Pose(20.0, 3.5, 21.0, 10.0, -6.0)
 PLACED = {

@@ -14,16 +14,16 @@ from flat_land import flat
 from stage import SIZE, Stage, small
 from test_apply import FEW, another
 
-from landscape.conditions import WALK, conditions, ignored
+from framelens.gl.seam import Call, recording
+from landscape.elements.settings import BEST, PRESETS, Settings
 from landscape.files.assets import Assets
-from landscape.fixes import FIXES
 from landscape.frame import Pose
-from landscape.gl.calls import Call, recording
-from landscape.island import ELEMENTS, Island
-from landscape.keys import fields, get, with_settings
-from landscape.scene import Moment, placed
-from landscape.settings import BEST, PRESETS, Settings
-from landscape.window.walker import Intent, advance, start
+from landscape.island.fixes import FIXES
+from landscape.island.island import ELEMENTS, Island
+from landscape.scene.scene import Moment, placed
+from landscape.settings.declare import fields, get, with_settings
+from landscape.settings.notices import WALK, conditions, ignored
+from landscape.walk.walker import Intent, advance, start
 
 KEYS = fields(Settings)
 WALKING = [key for key in KEYS if WALK in conditions(Settings, key)]

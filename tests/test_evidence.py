@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from landscape.course.evidence import Evidence
-from landscape.course.exercises import Grader
+from landscape.course.exercise import Grader
+from landscape.course.grader.evidence import Evidence
 
 PROGRAM = """# exercise: winding
 import glfw

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from landscape.course.exercise_commands import as_json, as_text
-from landscape.course.exercises import HOLE, NAMES, Grader, Report, exercise, start
-from landscape.course.grading import UNLIKE, Hint
-from landscape.course.mutants import mutants
+from landscape.commands.exercise import as_json, as_text
+from landscape.course.exercise import HOLE, NAMES, Grader, Report, exercise, start
+from landscape.course.grader.grading import UNLIKE, Hint
+from landscape.course.grader.mutants import mutants
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 

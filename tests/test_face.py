@@ -16,10 +16,10 @@ from commands import python, small_textures
 from stage import Stage
 
 import landscape
-from landscape import keys
-from landscape.errors import short
+from framelens.base.errors import short
+from framelens.gl.framebuffer import Framebuffer
 from landscape.frame import Pose
-from landscape.gl.framebuffer import Framebuffer
+from landscape.settings import declare
 
 NAN, INF = float("nan"), float("inf")
 HUGE = 10**400
@@ -178,7 +178,7 @@ def test_settings_may_be_nested_and_values_numpys(
 ) -> None:
     with landscape.Offscreen(**QUICK, settings=given) as view:
         view.look((20, 3, 24))
-        found = keys.get(view.scene.settings, key)
+        found = declare.get(view.scene.settings, key)
         assert found == value and type(found) is type(value)
     the_stage.enter()
 

@@ -19,23 +19,23 @@ from commands import SECONDS, Shell, need_library, refused, running
 from environments import image, layer, path, svg, written
 from PIL import Image
 
-from landscape.errors import InputError, UnexpectedError
+from framelens.base.errors import InputError, UnexpectedError
+from framelens.base.texts import translator
 from landscape.files.assets import Assets
-from landscape.film import command, encode, tour
+from landscape.film import encode, making, tour
 from landscape.film.captions import Caption
-from landscape.film.command import write
 from landscape.film.cut import Film, Part, mixed
+from landscape.film.making import write
 from landscape.film.replay import Replay
 from landscape.film.sources import Wanted, film_of
 from landscape.film.stage import Drawing, Stage
 from landscape.film.views import Flight, Look, Still
 from landscape.film.workers import drawn
 from landscape.frame import Pose
-from landscape.languages import translator
-from landscape.scene import SCENES, find_view, scene
-from landscape.window.app import Walk
-from landscape.window.recording import Plan, Tick, Writer, read
-from landscape.window.walker import Intent
+from landscape.scene.scene import SCENES, find_view, scene
+from landscape.walk.app import Walk
+from landscape.walk.recording import Plan, Tick, Writer, read
+from landscape.walk.walker import Intent
 
 SIZE = (48, 32)
 
@@ -341,9 +341,9 @@ def test_an_interrupted_film_is_shorter_and_can_be_played(
         if numbers is None:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr(command, "drawn", interrupted)
+    monkeypatch.setattr(making, "drawn", interrupted)
     film = film_of(["fig35a"], wanted())
-    assert command.write(film, tmp_path / name, 1) == 7 < film.frames
+    assert making.write(film, tmp_path / name, 1) == 7 < film.frames
     with av.open(str(tmp_path / name)) as found:
         assert len(list(found.decode(video=0))) == 7
     assert os.listdir(tmp_path) == [name]
@@ -356,10 +356,10 @@ def test_a_film_interrupted_before_its_first_picture_leaves_the_former_file(
         raise KeyboardInterrupt
         yield
 
-    monkeypatch.setattr(command, "drawn", interrupted)
+    monkeypatch.setattr(making, "drawn", interrupted)
     (tmp_path / "film.mp4").write_bytes(b"former")
     with pytest.raises(KeyboardInterrupt):
-        command.write(film_of(["fig35a"], wanted()), tmp_path / "film.mp4", 1)
+        making.write(film_of(["fig35a"], wanted()), tmp_path / "film.mp4", 1)
     assert os.listdir(tmp_path) == ["film.mp4"]
     assert (tmp_path / "film.mp4").read_bytes() == b"former"
 

@@ -9,7 +9,7 @@ from landscape.flyover.camera import Camera, Frustum
 from landscape.flyover.clipping import Lines
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.settings import Settings
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 SIZE = (160, 120)
 VOLUME = Frustum(-4 / 3, 4 / 3, 1, -1, 1.5, 4096)

@@ -8,7 +8,7 @@ from landscape.flyover.camera import Camera
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.noise import noise
 from landscape.flyover.settings import Flyover, Settings
-from landscape.keys import Value, with_settings
+from landscape.settings.declare import Value, with_settings
 
 SIZE = (160, 120)
 HIDDEN: dict[str, Value] = {"flyover.colours": "height"}

@@ -14,10 +14,10 @@ from landscape.cli import main
 from landscape.film.along import Software
 from landscape.film.cut import Film
 from landscape.flyover import frame
+from landscape.flyover.app.bench import SWITCHES, TECHNIQUES, rows
 from landscape.flyover.environment import open_environment
 from landscape.flyover.settings import PRESETS, Settings
-from landscape.keys import with_settings
-from landscape.tools.flyover_bench import SWITCHES, TECHNIQUES, rows
+from landscape.settings.declare import with_settings
 
 SMALL = ("--size", "64x48")
 WITHOUT_OPENGL = """
@@ -87,7 +87,7 @@ def test_a_film_begins_at_its_second(
         films.append(film)
         return film.frames
 
-    monkeypatch.setattr("landscape.film.flyover_film.write", write)
+    monkeypatch.setattr("landscape.flyover.app.film.write", write)
     count = ["--frames", "60"] if frames == 60 else []
     words = ["--at", begin, *count, "--out", str(tmp_path / "a.mp4"), "-q"]
     assert main(["flyover", *SMALL, *words]) == 0

@@ -16,7 +16,7 @@ from landscape.flyover.crew import Crew, balanced, even
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.noise import noise
 from landscape.flyover.settings import Flyover, Settings
-from landscape.keys import Value, with_settings
+from landscape.settings.declare import Value, with_settings
 
 RELIEF: dict[str, Value] = {"flyover.relief": 24.0}
 FILLED: dict[str, Value] = {"flyover.mode": "filled", "filled.texels": 128, "filled.sea": 0.4}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from environments import embedded, image, layer, path, png, svg, written
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.flyover.environment import NAMES, export_island, open_environment
 from landscape.flyover.settings import Flyover
 

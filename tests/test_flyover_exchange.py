@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from framelens.base.errors import InputError
 from landscape.cli import main
-from landscape.errors import InputError
 from landscape.flyover import exchange, frame
+from landscape.flyover.app.ranking import ranking, read
 from landscape.flyover.environment import open_environment
 from landscape.flyover.settings import Settings
-from landscape.tools.flyover_ranking import ranking, read
 
 SMALL = ("--size", "64x48")
 
@@ -149,7 +149,7 @@ def test_what_is_no_result_is_not_ranked(content: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("mode", ["lines", "filled"])
 def test_a_flight_keeps_no_memory_from_frame_to_frame(mode: str) -> None:
-    from landscape.keys import with_settings
+    from landscape.settings.declare import with_settings
 
     environment = open_environment("alps")
     settings = with_settings(Settings(), {"flyover.mode": mode})

@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.flyover.bounds import bounds
 from landscape.flyover.height_field import height_field, mirrored
 from landscape.flyover.settings import Flyover, Settings, check
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 
 def image(side: int, seed: int = 3) -> np.ndarray:

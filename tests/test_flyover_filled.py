@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.flyover import blending, close_up, filled, frame, ground, march, sunlight
 from landscape.flyover.camera import Camera, Frustum, camera_transform
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.noise import noise
 from landscape.flyover.reflection import reflection
 from landscape.flyover.settings import Flyover, Settings
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 SIZE = (160, 120)
 VOLUME = Frustum(-4 / 3, 4 / 3, 1, -1, 1.5, 4096)

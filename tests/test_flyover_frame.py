@@ -7,12 +7,12 @@ import sys
 import numpy as np
 import pytest
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.flyover import bresenham, frame
 from landscape.flyover.camera import Camera
 from landscape.flyover.height_field import HeightField, height_field
 from landscape.flyover.settings import Settings
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 SIZE = (160, 120)
 

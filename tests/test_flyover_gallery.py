@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from framelens.base.errors import InputError
+from framelens.base.texts import LANGUAGES
 from landscape.cli import COMMANDS, main
-from landscape.errors import InputError
+from landscape.commands.common import build_parser
+from landscape.flyover.app.command import settings_of
 from landscape.flyover.settings import PRESETS, Settings
 from landscape.gallery.figures import gallery
 from landscape.gallery.flyover_captions import PAIRS, STEPS, VIEWS
 from landscape.gallery.flyover_page import half, page, panels, picture
 from landscape.gallery.scene_page import PAIR_SIZE, STEP_SIZE, VIEW_SIZE
-from landscape.keys import preset, with_settings
-from landscape.languages import LANGUAGES
-from landscape.options import build_parser
-from landscape.tools.flyover_command import settings_of
+from landscape.settings.declare import preset, with_settings
 
 KEPT = Path(__file__).resolve().parents[1] / "screenshots" / "flyover"
 MOST = 900_000  # bytes, chosen: of all pictures together

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.flyover import bresenham
 from landscape.flyover.camera import Camera, Frustum, camera_transform, frustum, project
 from landscape.flyover.settings import Settings

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.flyover import clipping, culling, detail, edges, frame, quad_tree
 from landscape.flyover.bounds import bounds
 from landscape.flyover.camera import Camera, Frustum, frustum

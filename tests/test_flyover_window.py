@@ -9,18 +9,18 @@ import numpy as np
 import pytest
 from commands import need_library
 
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.glfw_library import glfw
 from landscape.flyover import frame
+from landscape.flyover.app.window import FILLED, LINES, Flying, show
 from landscape.flyover.camera import Camera
 from landscape.flyover.environment import open_environment
 from landscape.flyover.settings import PRESETS, Settings
-from landscape.gl.framebuffer import read_pixels
-from landscape.gl.glfw_library import glfw
-from landscape.keys import get, next_value, with_settings
-from landscape.window import words
-from landscape.window.bindings import us_name
-from landscape.window.flyover import FILLED, LINES, Flying, show
-from landscape.window.free_flight import LEAST, STEEPEST, advance, moves
-from landscape.window.walker import Intent
+from landscape.settings.declare import get, next_value, with_settings
+from landscape.walk import words
+from landscape.walk.free_flight import LEAST, STEEPEST, advance, moves
+from landscape.walk.keys import us_name
+from landscape.walk.walker import Intent
 
 SIZE = (96, 72)
 
@@ -162,7 +162,7 @@ def test_it_ends_after_the_frames_that_are_asked_for(
         def close(self) -> None:
             drawn.append("closed")
 
-    monkeypatch.setattr("landscape.window.flyover.Flying", Window)
+    monkeypatch.setattr("landscape.flyover.app.window.Flying", Window)
     options = argparse.Namespace(
         lang="fr", size=None, frames=2, at=2.5, jobs=3, fullscreen=False, quiet=False
     )

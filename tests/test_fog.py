@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from stage import Stage, close, quad, small
 
+from framelens.gl import extensions
+from framelens.gl.seam import gl
 from landscape.elements.fog import visibility
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.gl.calls import gl
 
 FOG = np.array([0.4, 0.6, 0.7]) * 255
 COLOUR = np.array([1.0, 0.5, 0.0])

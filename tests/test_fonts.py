@@ -6,9 +6,10 @@ from pathlib import Path
 import polib
 from commands import environment, python
 
+from framelens.base.fonts import font, monospaced, writable
+from framelens.base.packages import PACKAGES
+from framelens.base.texts import typeset
 from landscape.files.assets import shipped
-from landscape.files.fonts import font, monospaced, writable
-from landscape.languages import LOCALE, typeset
 
 FRENCH = "Éclat à l'œil × 12 : « été »"
 # Prints the hash of a picture of a text in each face; without the library by which Pillow may lay
@@ -17,7 +18,7 @@ PICTURES = f"""
 import hashlib, json, sys
 from PIL import Image, ImageDraw, ImageFont
 ImageFont.core.HAVE_RAQM = ImageFont.core.HAVE_RAQM and sys.argv[1] == "as it is"
-from landscape.files.fonts import font, monospaced
+from framelens.base.fonts import font, monospaced
 hashes = []
 for face in (font(14), font(14, bold=True), monospaced(14)):
     picture = Image.new("L", (500, 30))
@@ -42,7 +43,8 @@ def test_french_keeps_its_letters_in_every_face() -> None:
 def test_every_character_of_the_translations_can_be_written() -> None:
     texts = {
         character
-        for path in LOCALE.rglob("*.po")
+        for package in PACKAGES
+        for path in package.locale.rglob("*.po")
         for entry in polib.pofile(str(path), encoding="utf-8")
         for character in entry.msgid + typeset(entry.msgstr)
     }

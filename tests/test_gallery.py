@@ -9,18 +9,18 @@ import pytest
 from commands import landscape
 from PIL import Image
 
-from landscape import keys
-from landscape.errors import InputError
-from landscape.fixes import FIXES
+from framelens.base.errors import InputError
+from landscape.elements.settings import Settings, preset
 from landscape.gallery.compare import agree
 from landscape.gallery.figures import check, make
 from landscape.gallery.page import anchor, page
 from landscape.gallery.panels import BACKGROUND, SIZE, named_panels, on_grey, panels
 from landscape.gallery.view_captions import VIEW_PANELS
-from landscape.keys import get, with_settings
-from landscape.scene import SCENES, scene
-from landscape.settings import Settings, preset
-from landscape.views import VIEWS
+from landscape.island.fixes import FIXES
+from landscape.island.views import VIEWS
+from landscape.scene.scene import SCENES, scene
+from landscape.settings import declare
+from landscape.settings.declare import get, with_settings
 
 ROOT = Path(__file__).resolve().parents[1]
 KEPT = ROOT / "screenshots"
@@ -66,7 +66,7 @@ def test_every_pair_differs_in_settings_and_2006_has_those_of_its_before(fix) ->
 @pytest.mark.parametrize("fix", FIXES, ids=lambda fix: fix.name)
 def test_every_pair_uses_current_setting_names(fix) -> None:
     for after in (False, True):
-        assert fix.settings(after).keys() <= keys.fields(Settings).keys()
+        assert fix.settings(after).keys() <= declare.fields(Settings).keys()
 
 
 def test_there_is_a_pair_for_each_improvement_of_the_report() -> None:
@@ -145,13 +145,13 @@ def test_every_link_of_a_page_leads_somewhere(path: str) -> None:
 
 
 def test_every_file_and_setting_a_document_names_exists() -> None:
-    groups = {key.split(".")[0] for key in keys.fields(Settings)}
+    groups = {key.split(".")[0] for key in declare.fields(Settings)}
     for path in ("README.md", "docs/performance.md", "CHANGELOG.md"):
         text = (ROOT / path).read_text(encoding="utf-8")
         # The changelog also says what became of old names.
         former = Settings.RENAMED if path == "CHANGELOG.md" else {}
         # Scenes share the names of some groups, such as mist.
-        every = (keys.fields(type(scene(name).settings)) for name in SCENES)
+        every = (declare.fields(type(scene(name).settings)) for name in SCENES)
         known = {*former, *(key for fields in every for key in fields)}
         for group, name in re.findall(r"(?:`|--set )([a-z]+)\.([a-z_0-9]+)\b", text):
             if group in groups and name not in ("py", "png", "ply"):

@@ -5,7 +5,7 @@ import pytest
 from castles import BRICK, DOOR, GATE, at, drawn
 from stage import Stage, close, pixel, project, write_plain
 
-from landscape.elements.best.ornate.gate import GATE_CORNERS, halo, without_gate
+from landscape.elements.best.castle.gate import GATE_CORNERS, halo, without_gate
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.masonry import FOOT, walls_mesh

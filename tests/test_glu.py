@@ -7,18 +7,18 @@ import pytest
 from commands import environment, need_library, python
 from stage import Stage
 
-from landscape.gl.calls import gl
-from landscape.gl.foreign import original, patched
+from framelens.gl.foreign import original, patched
+from framelens.gl.seam import gl
 
 # libGLU draws through libGL, so not in an OSMesa context.
 BOTH = """
 import itertools, json, sys
 import numpy as np
-from landscape.gl.contexts.egl import EGLContext
+from framelens.gl.contexts.egl import EGLContext
 context = EGLContext((96, 96))
 from OpenGL.GL import *
 from OpenGL import GLU
-from landscape.gl.glu import FUNCTIONS
+from framelens.gl.glu import FUNCTIONS
 import types
 OURS = types.SimpleNamespace(**FUNCTIONS)
 
@@ -123,7 +123,7 @@ def test_what_pyopengl_calls_past_its_wrappers_stays_as_it_was(stage: Stage) -> 
 
 
 def test_projections_are_undone_by_unprojecting(stage: Stage) -> None:
-    from landscape.gl.glu import gluPerspective, gluProject, gluUnProject, gluUnProject4
+    from framelens.gl.glu import gluPerspective, gluProject, gluUnProject, gluUnProject4
 
     with stage.borrowed():
         gl.glViewport(10, 20, 100, 50)
@@ -143,7 +143,7 @@ def test_projections_are_undone_by_unprojecting(stage: Stage) -> None:
 
 
 def test_images_are_scaled_by_areas_and_halved_by_means() -> None:
-    from landscape.gl.glu_images import halved, scaled
+    from framelens.gl.glu_images import halved, scaled
 
     image = np.arange(16, dtype=np.uint8).reshape(4, 4, 1) * 10
     assert halved(image)[..., 0].tolist() == [[25, 45], [105, 125]]
@@ -154,7 +154,7 @@ def test_images_are_scaled_by_areas_and_halved_by_means() -> None:
 
 
 def test_an_image_with_gaps_is_read_as_the_pixel_store_modes_say(stage: Stage) -> None:
-    from landscape.gl.glu_images import gluScaleImage
+    from framelens.gl.glu_images import gluScaleImage
 
     with stage.borrowed():
         gl.glPushClientAttrib(gl.GL_CLIENT_PIXEL_STORE_BIT)

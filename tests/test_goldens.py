@@ -19,17 +19,17 @@ from seam import Replaced
 from stage import Stage
 from test_hall_goldens import VIEWS
 
+from framelens.gl.framebuffer import Framebuffer
+from framelens.gl.seam import edited, gl
 from landscape.course.ladder import lessons
+from landscape.elements.settings import TIMES, Settings
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gallery.compare import AMPLIFICATION, agree
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import edited, gl
-from landscape.gl.framebuffer import Framebuffer
-from landscape.island import Island
-from landscape.keys import with_settings
-from landscape.scene import Moment
-from landscape.settings import TIMES, Settings
+from landscape.island.island import Island
+from landscape.scene.scene import Moment
+from landscape.settings.declare import with_settings
 from landscape.voxel.voxel import SCENE as VOXEL
 
 pytestmark = pytest.mark.golden
@@ -256,11 +256,11 @@ from stage import Stage
 from test_goldens import CHOSEN, ELEMENTS, SEED, draw, wrong_blend
 
 from landscape.files.assets import Assets
-from landscape.gl.calls import edited
-from landscape.gl.context import open_context
-from landscape.island import Island
-from landscape.keys import with_settings
-from landscape.settings import Settings
+from framelens.gl.seam import edited
+from framelens.gl.context import open_context
+from landscape.island.island import Island
+from landscape.settings.declare import with_settings
+from landscape.elements.settings import Settings
 
 stage = Stage(open_context("auto"))
 island = Island(with_settings(Settings(), CHOSEN), Assets(), SEED)

@@ -11,10 +11,10 @@ import pytest
 from commands import environment, landscape, refused
 from PIL import Image
 
-from landscape.course.exercises import NAMES, Grader, Report, exercise
-from landscape.course.troubles import sentence
-from landscape.errors import InputError
-from landscape.system import limits, quoted
+from framelens.base.errors import InputError
+from framelens.system import limits, quoted
+from landscape.course.exercise import NAMES, Grader, Report, exercise
+from landscape.course.grader.troubles import sentence
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 

@@ -11,6 +11,8 @@ from flat_land import flat, grass_settings
 from sprite_stage import looking
 from stage import Stage, close, pixel, project, small
 
+from framelens.base.errors import InputError
+from framelens.gl.seam import recording
 from landscape.elements import grass as grass_module
 from landscape.elements.best import meadow
 from landscape.elements.grass import (
@@ -27,14 +29,12 @@ from landscape.elements.grass import (
 )
 from landscape.elements.grass_cells import CELL, cells_around, shared_out, visible_cells
 from landscape.elements.ground import Ground
+from landscape.elements.settings import Settings, preset
 from landscape.elements.transparent_elements import visible
-from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField, greenness
 from landscape.geometry.wind import sway
-from landscape.gl.calls import recording
-from landscape.settings import Settings, preset
 
 ORIGIN = np.zeros((1, 3))
 NORTH = Pose(20.0, 3.1, 20.0)

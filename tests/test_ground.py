@@ -5,14 +5,14 @@ import pytest
 from PIL import Image
 from stage import Stage, close, pixel, project, small
 
+from framelens.gl.seam import gl, recording
 from landscape.elements.best.terrain.terrain import ground_class
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl, recording
 from landscape.gl.draw import level_square
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 SUN = np.array([0.0, 1.0, 0.0], np.float32)
 DOWN = Pose(20.0, 9.0, 20.0, 0.0, -90.0)

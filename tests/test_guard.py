@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from commands import Done, environment, landscape, need_library, python, refused
 
-from landscape.errors import UNEXPECTED
+from framelens.base.errors import UNEXPECTED
 
 BEGIN = """
 import os
@@ -33,9 +33,10 @@ glfw.swap_buffers(window)
 # with limits in seconds for the program and for its end.
 RUN = """
 import sys
-from landscape.capture import guard, program
+from framelens.base import guard
+from framelens.program import program
 from landscape.cli import main
-from landscape.system import limits
+from framelens.system import limits
 
 program.LIMIT, guard.GRACE = float(sys.argv[1]), float(sys.argv[2])
 limits.FORKS = limits.FORKS and sys.argv[3] == "copied"
@@ -202,8 +203,8 @@ def test_the_last_thing_drawn_may_be_waiting_when_the_window_closes(tmp_path: Pa
 DEFECT = """
 import sys
 from landscape.cli import main
-from landscape.system import limits
-from landscape.tools import frame_commands
+from framelens.system import limits
+from framelens.commands import frame_commands
 
 def defect(target, options):
     return 1 // len("")
@@ -231,7 +232,7 @@ def test_a_defect_of_a_tool_says_what_and_where_and_prints_no_half_json(
 
 
 def test_work_that_raises_in_a_process_of_its_own_is_told() -> None:
-    code = "from landscape.capture.guard import guarded\nimport sys\n"
+    code = "from framelens.base.guard import guarded\nimport sys\n"
     done = python(code + "sys.exit(guarded('a program', lambda: {}['key']))")
     assert done.status == UNEXPECTED and done.out == ""
     assert done.err.startswith("landscape: a defect of this program: KeyError: 'key', in ")

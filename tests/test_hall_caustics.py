@@ -9,19 +9,19 @@ from gl_state import changes, snapshot
 from stage import SIZE, Stage, live_names
 from state_calls import Fresh
 
-from landscape.effects import plan
-from landscape.effects.caustics import generate, planes
-from landscape.effects.hall import SCENE, Hall
-from landscape.effects.pool import INDEX, left_of_light, mirrored_share, steepness
-from landscape.effects.reflected_light import lit_meshes, thrown
+from framelens.gl import extensions
+from framelens.gl.seam import gl
+from framelens.gl.texture import Texture
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.gl.calls import gl
-from landscape.gl.texture import Texture
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame
+from landscape.hall import plan
+from landscape.hall.caustics import generate, planes
+from landscape.hall.hall import SCENE, Hall
+from landscape.hall.pool import INDEX, left_of_light, mirrored_share, steepness
+from landscape.hall.reflected_light import lit_meshes, thrown
+from landscape.scene.scene import Moment, begin_frame
+from landscape.settings.declare import with_settings
 
 OVER_POOL = Pose(1.62, 0.3, 2.5, 356.0, -40.0)
 WEST = Pose(1.62, 0.15, 2.1, 270.0, 8.0)

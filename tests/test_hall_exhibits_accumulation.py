@@ -6,18 +6,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from landscape.effects import plan
-from landscape.effects.exhibits import accumulation
-from landscape.effects.exhibits.accumulation import Accumulation, disc, shifts
-from landscape.effects.exhibits.depth_of_field import lens
-from landscape.effects.exhibits.niche import SOFT, lamp
-from landscape.effects.exhibits.picture import part
-from landscape.effects.exhibits.soft_shadow import receivers
+from framelens.gl import extensions
+from framelens.gl.seam import gl, recording
 from landscape.frame import Pose
 from landscape.geometry.planar import shadows_of
-from landscape.gl import extensions
-from landscape.gl.calls import gl, recording
-from landscape.render import Offscreen
+from landscape.hall import plan
+from landscape.hall.exhibits import accumulation
+from landscape.hall.exhibits.accumulation import Accumulation, disc, shifts
+from landscape.hall.exhibits.depth_of_field import lens
+from landscape.hall.exhibits.niche import SOFT, lamp
+from landscape.hall.exhibits.picture import part
+from landscape.hall.exhibits.soft_shadow import receivers
+from landscape.offscreen import Offscreen
 
 SIZE = (160, 120)
 RABBITS = (1.08, 0.14, 1.40, 270.0, -9.0)

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from gl_state import changes, snapshot
 
-from landscape.effects import plan
-from landscape.effects.exhibits.hidden_lines import INK, PAPER, draw_lines
-from landscape.effects.exhibits.niche import MIDDLE, SOLIDS, plates
-from landscape.effects.exhibits.solids import BEAM, HEIGHT, RADIUS, TILT, TURN, beam, sphere
+from framelens.gl.seam import gl
+from framelens.gl.state import front_faces
 from landscape.frame import Pose
-from landscape.gl.calls import gl
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import front_faces
-from landscape.render import Offscreen
+from landscape.hall import plan
+from landscape.hall.exhibits.hidden_lines import INK, PAPER, draw_lines
+from landscape.hall.exhibits.niche import MIDDLE, SOLIDS, plates
+from landscape.hall.exhibits.solids import BEAM, HEIGHT, RADIUS, TILT, TURN, beam, sphere
+from landscape.offscreen import Offscreen
 
 SIZE = (160, 120)
 AT_SOLIDS = Pose(1.04, 0.16, plan.ALCOVES[SOLIDS], 270.0, -12.0)

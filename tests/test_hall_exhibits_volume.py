@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from landscape.effects import plan
-from landscape.effects.exhibits.niche import INSET, VOLUME, pedestal_boxes
-from landscape.effects.exhibits.shadow_volume import TURN, ShadowVolume, torch, trefoil
+from framelens.gl.seam import gl
 from landscape.frame import Pose
 from landscape.geometry.mesh import is_closed
 from landscape.geometry.silhouette import boundary, faces_light, shadow_volume
-from landscape.gl.calls import gl
-from landscape.render import Offscreen
+from landscape.hall import plan
+from landscape.hall.exhibits.niche import INSET, VOLUME, pedestal_boxes
+from landscape.hall.exhibits.shadow_volume import TURN, ShadowVolume, torch, trefoil
+from landscape.offscreen import Offscreen
 
 SIZE = (160, 120)
 Z = plan.ALCOVES[VOLUME]

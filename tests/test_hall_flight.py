@@ -5,15 +5,15 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects.flight import Flight, keyframes
-from landscape.effects.hall import Hall
-from landscape.effects.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.quaternion import from_angles, product
-from landscape.keys import with_settings
-from landscape.scene import Moment, scene
-from landscape.window.place import Place
+from landscape.hall.flight import Flight, keyframes
+from landscape.hall.hall import Hall
+from landscape.hall.settings import Settings
+from landscape.scene.scene import Moment, scene
+from landscape.settings.declare import with_settings
+from landscape.walk.place import Place
 
 SPAN = Settings().flight.kt_per_key
 KEYS = len(keyframes())

@@ -10,13 +10,13 @@ import pictures
 import pytest
 from stage import Stage
 
-from landscape.effects.hall import SCENE, Hall
+from framelens.gl.framebuffer import Framebuffer, read_pixels
+from framelens.gl.seam import gl
 from landscape.files.assets import Assets
-from landscape.gl.calls import gl
-from landscape.gl.framebuffer import Framebuffer, read_pixels
-from landscape.keys import with_settings
-from landscape.render import baked_alike
-from landscape.scene import Moment, placed
+from landscape.hall.hall import SCENE, Hall
+from landscape.offscreen import baked_alike
+from landscape.scene.scene import Moment, placed
+from landscape.settings.declare import with_settings
 
 pytestmark = pytest.mark.golden
 

@@ -7,12 +7,12 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects import plan
-from landscape.effects.keys import AWAY, HIGH, LOW, TURN, carried
-from landscape.effects.settings import Settings
-from landscape.gl.glfw_library import glfw
-from landscape.keys import get, with_settings
-from landscape.window.hands import Hands
+from framelens.gl.glfw_library import glfw
+from landscape.hall import plan
+from landscape.hall.digits import AWAY, HIGH, LOW, TURN, carried
+from landscape.hall.settings import Settings
+from landscape.settings.declare import get, with_settings
+from landscape.walk.hands import Hands
 
 
 def test_a_drag_carries_the_light_around_the_statue_and_up_and_down() -> None:

@@ -10,15 +10,15 @@ from gl_state import changes, snapshot
 from hall_pictures import HallPictures
 from stage import SIZE, Stage
 
-from landscape.capture.buffers import Buffers
-from landscape.effects import plan
-from landscape.effects.hall import SCENE, Hall
-from landscape.effects.mirror import FADES, FLOOR, GRAZING, UNDERSIDE, fading, reflectance
+from framelens.gl.seam import gl, recording
+from framelens.tape.buffers import Buffers
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl, recording
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame
+from landscape.hall import plan
+from landscape.hall.hall import SCENE, Hall
+from landscape.hall.mirror import FADES, FLOOR, GRAZING, UNDERSIDE, fading, reflectance
+from landscape.scene.scene import Moment, begin_frame
+from landscape.settings.declare import with_settings
 
 PERFECT: dict[str, Any] = {"mirror.strength": 1.0, "mirror.fades": False}
 NAVE = Pose(1.52, 0.17, 1.78, 12.0, -14.0)  # the floor before the statue

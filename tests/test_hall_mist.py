@@ -8,11 +8,11 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects import plan
-from landscape.effects.mist import BASE, heights, sheet, softened
-from landscape.effects.moving_sky import dome
-from landscape.elements.best.air.mist_sheets import far_to_near
+from landscape.elements.best.mist.mist_sheets import far_to_near
 from landscape.frame import Pose
+from landscape.hall import plan
+from landscape.hall.mist import BASE, heights, sheet, softened
+from landscape.hall.moving_sky import dome
 
 OVER_THE_FLOOR = Pose(1.4, 0.2, 2.3, 25.0, -12.0)
 AT_A_WINDOW = Pose(1.9, 0.3, 1.4, 90.0, 8.0)

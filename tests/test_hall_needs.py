@@ -11,10 +11,10 @@ import pytest
 from hall_pictures import SIZE, HallPictures
 from stage import Stage
 
-from landscape.effects import hall
+from framelens.gl import extensions
+from framelens.gl.seam import gl
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.gl.calls import gl
+from landscape.hall import hall
 
 # Nave with pool and statue; the exhibits of motion blur and of shadow volume from nearby.
 PLACES = ("hall", Pose(1.2, 0.15, 1.52, 270.0, 0.0), Pose(1.2, 0.15, 2.32, 270.0, 0.0))

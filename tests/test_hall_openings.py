@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from landscape.effects import plan
-from landscape.effects.exhibits.cabinet import HOLDS, through_opening
-from landscape.effects.exhibits.niche import MIDDLE
-from landscape.effects.exhibits.picture import polygon_part
 from landscape.frame import Frame, Pose
+from landscape.hall import plan
+from landscape.hall.exhibits.cabinet import HOLDS, through_opening
+from landscape.hall.exhibits.niche import MIDDLE
+from landscape.hall.exhibits.picture import polygon_part
 
 
 @pytest.mark.parametrize("number", range(len(plan.ALCOVES)))

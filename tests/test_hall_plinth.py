@@ -3,9 +3,12 @@
 import numpy as np
 import pytest
 
-from landscape.effects.architecture import hall
-from landscape.effects.light import FILE, light_map, placed
-from landscape.effects.plinth_light import (
+from landscape.elements.sun import direction
+from landscape.files.assets import shipped
+from landscape.files.images import read_image
+from landscape.hall.architecture import hall
+from landscape.hall.light import FILE, light_map, placed
+from landscape.hall.plinth_light import (
     Ball,
     ambient,
     ball_on_plinth,
@@ -13,10 +16,7 @@ from landscape.effects.plinth_light import (
     sunlight,
     without_sun,
 )
-from landscape.effects.settings import Settings
-from landscape.elements.sun import direction
-from landscape.files.assets import shipped
-from landscape.files.images import read_image
+from landscape.hall.settings import Settings
 
 SUN = direction(Settings().sun).astype(float)
 UP = np.array([0.0, 1.0, 0.0])

@@ -5,10 +5,10 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects import plan
-from landscape.effects.pool import CEILING, CENTRE, WAVES, mirrored, surface, waves
+from framelens.gl import extensions
 from landscape.frame import Pose
-from landscape.gl import extensions
+from landscape.hall import plan
+from landscape.hall.pool import CEILING, CENTRE, WAVES, mirrored, surface, waves
 
 ALONG = Pose(1.6, 0.12, 2.7, 0.0, -12.0)
 SHOWN = ("room", "pool", "statue", "sky")

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage
 
-from landscape.effects import plan
-from landscape.effects.hall import SCENE, Ground, Hall, obstacles
-from landscape.effects.safeguard import Safeguard
-from landscape.effects.safeguards import SAFEGUARDS
 from landscape.files.assets import Assets
-from landscape.keys import fields, get, with_settings
-from landscape.scene import Moment, find_view, placed
-from landscape.window.walker import Intent, advance, start
+from landscape.hall import plan
+from landscape.hall.hall import SCENE, Ground, Hall, obstacles
+from landscape.hall.safeguard import Safeguard
+from landscape.hall.safeguards import SAFEGUARDS
+from landscape.scene.scene import Moment, find_view, placed
+from landscape.settings.declare import fields, get, with_settings
+from landscape.walk.walker import Intent, advance, start
 
 LEAST = 150  # pixels of 160 x 120 that differ clearly between the two pictures
 

@@ -12,18 +12,7 @@ from gl_state import changes, snapshot
 from PIL import Image, ImageDraw
 from stage import SIZE, Stage, project
 
-from landscape.effects import plan
-from landscape.effects.architecture import hall as hall_surfaces
-from landscape.effects.hall import SCENE, Hall
-from landscape.effects.planar_shadow import (
-    FLOOR_PLANE,
-    NORTH_PLANE,
-    flame,
-    on_floor,
-    on_north,
-    reached,
-)
-from landscape.effects.statue import COARSER
+from framelens.gl.seam import recording
 from landscape.elements import sun
 from landscape.elements.animal import read_animal
 from landscape.files.assets import Assets
@@ -31,9 +20,20 @@ from landscape.frame import Pose
 from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import grid_triangles
 from landscape.geometry.planar import shadows_of
-from landscape.gl.calls import recording
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame
+from landscape.hall import plan
+from landscape.hall.architecture import hall as hall_surfaces
+from landscape.hall.hall import SCENE, Hall
+from landscape.hall.planar_shadow import (
+    FLOOR_PLANE,
+    NORTH_PLANE,
+    flame,
+    on_floor,
+    on_north,
+    reached,
+)
+from landscape.hall.statue import COARSER
+from landscape.scene.scene import Moment, begin_frame
+from landscape.settings.declare import with_settings
 
 FINER = 16
 FOV = SCENE.settings.camera.fov

@@ -7,19 +7,14 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects.environment import (
-    BALL,
-    ball_directions,
-    disc,
-    sphere_coordinates,
-)
+from framelens.gl import extensions
+from framelens.gl.extensions import Need, first_missing
+from framelens.gl.seam import gl
+from framelens.gl.texture import Texture
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.gl.calls import gl
-from landscape.gl.extensions import Need, first_missing
 from landscape.gl.features import possible
-from landscape.gl.texture import Texture
-from landscape.render import Offscreen
+from landscape.hall.environment import BALL, ball_directions, disc, sphere_coordinates
+from landscape.offscreen import Offscreen
 
 
 def unit(rng: np.random.Generator, count: int) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from landscape.effects.statue_light import brightness, directions, soft_light
+from landscape.hall.statue_light import brightness, directions, soft_light
 
 UP = np.array([[0.0, 1.0, 0.0]])
 

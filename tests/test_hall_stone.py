@@ -8,26 +8,26 @@ import pytest
 from gl_state import changes, snapshot
 from stage import SIZE, Stage
 
-from landscape.effects import plan
-from landscape.effects.architecture import hall, shell
-from landscape.effects.hall import SCENE, Hall
-from landscape.effects.levels import ALONG, LEVELS, SIMPLIFIED
-from landscape.effects.light import FILE, SIDE, SIZES, light_map, of_plane, on_plane, placed
-from landscape.effects.materials import MATERIALS
-from landscape.effects.ornaments import pillar
-from landscape.effects.room import meshes
-from landscape.effects.settings import Settings
-from landscape.effects.shafts import sheets
-from landscape.effects.shapes import turned
-from landscape.effects.surfaces import Surface, cells, charts, fractions, needed, normals
-from landscape.effects.torches import flames, halos, torches
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets, shipped
 from landscape.files.images import read_image
 from landscape.frame import Pose
 from landscape.geometry.mesh import grid_triangles
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame
+from landscape.hall import plan
+from landscape.hall.architecture import hall, shell
+from landscape.hall.hall import SCENE, Hall
+from landscape.hall.levels import ALONG, LEVELS, SIMPLIFIED
+from landscape.hall.light import FILE, SIDE, SIZES, light_map, of_plane, on_plane, placed
+from landscape.hall.materials import MATERIALS
+from landscape.hall.ornaments import pillar
+from landscape.hall.room import meshes
+from landscape.hall.settings import Settings
+from landscape.hall.shafts import sheets
+from landscape.hall.shapes import turned
+from landscape.hall.surfaces import Surface, cells, charts, fractions, needed, normals
+from landscape.hall.torches import flames, halos, torches
+from landscape.scene.scene import Moment, begin_frame
+from landscape.settings.declare import with_settings
 
 SUN = direction(Settings().sun).astype(float)
 PLACES = torches(Settings().shadow)

@@ -7,10 +7,10 @@ import pytest
 from hall_pictures import HallPictures
 from stage import Stage
 
-from landscape.effects.tone import doublings
+from framelens.gl import extensions
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.render import Offscreen
+from landscape.hall.tone import doublings
+from landscape.offscreen import Offscreen
 
 SHOWN = ("room", "floor", "statue", "tone")
 Draw = Callable[..., np.ndarray]

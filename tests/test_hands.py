@@ -5,21 +5,20 @@ from types import SimpleNamespace
 import glfw
 import pytest
 
-from landscape.window import hands as hands_module
-from landscape.window.bindings import (
+from framelens.inspector.keys import inspect_pick, us_name
+from framelens.inspector.wheel import Wheel
+from landscape.walk import hands as hands_module
+from landscape.walk.hands import JUMP, Hands
+from landscape.walk.keys import (
     BY_ACTION,
     LETTERS,
     UNDER_THE_HAND,
     Namer,
-    inspect_pick,
     labels,
     layout,
     pick,
-    us_name,
 )
-from landscape.window.hands import JUMP, Hands
-from landscape.window.walker import Intent
-from landscape.window.wheel import Wheel
+from landscape.walk.walker import Intent
 
 pytestmark = pytest.mark.window
 
@@ -289,7 +288,7 @@ def test_turns_of_the_wheel_within_a_frame_reach_the_inspector_as_one() -> None:
     hands.motion(30.0, 40.0)
     hands.wheel(0.25)
     hands.wheel(0.5)
-    assert hands.inspected[1:] == [("wheel", 30.0, 40.0, 0.75)]
+    assert hands.requests.asked[1:] == [("wheel", 30.0, 40.0, 0.75)]
 
 
 @pytest.mark.parametrize(

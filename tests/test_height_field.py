@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from landscape.elements.settings import Ground as GroundSettings
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights
 from landscape.geometry.height_colours import colour_by_height
@@ -11,10 +13,8 @@ from landscape.geometry.height_field import HeightField, ground_mesh, height_fie
 from landscape.geometry.low_stretch import low_stretch_coordinates, low_stretch_uv
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.splines import smoothed, spline_weights
-from landscape.keys import with_settings
-from landscape.settings import Ground as GroundSettings
-from landscape.settings import Settings
-from landscape.window.walker import eye_height
+from landscape.settings.declare import with_settings
+from landscape.walk.walker import eye_height
 
 
 def plane(a: float, b: float, n: int = 9, level: float = -100.0) -> HeightField:

@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from landscape.course.evidence import Call, Evidence, Frame
-from landscape.course.exercises import Grader
-from landscape.course.grading import LEVELS, Text, between, compare, differing, hint
-from landscape.languages import translator
+from framelens.base.texts import translator
+from landscape.course.exercise import Grader
+from landscape.course.grader.evidence import Call, Evidence, Frame
+from landscape.course.grader.grading import LEVELS, Text, between, compare, differing, hint
 
 FRENCH = translator("fr", "course")
 

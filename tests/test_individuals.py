@@ -25,10 +25,10 @@ from landscape.elements.best.sprites.refined_atlas import HERBS
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.sprites.relighting import corner_light
 from landscape.elements.planting import DEER
+from landscape.elements.settings import preset
 from landscape.files.images import bled
 from landscape.geometry.height_field import greenness
-from landscape.keys import with_settings
-from landscape.settings import preset
+from landscape.settings.declare import with_settings
 from landscape.studio.build import encoded
 
 VARIOUS = {"trees__grouped": True, "trees__variety": True, "trees__species": 4}

@@ -13,12 +13,12 @@ import pytest
 from commands import Shell, refused
 from PIL import Image
 
-from landscape.errors import InputError
-from landscape.files import input as module
+from framelens.base import input as module
+from framelens.base.errors import InputError
+from framelens.base.input import read_bounded
 from landscape.files.images import read_heights, read_image
-from landscape.files.input import read_bounded
 from landscape.files.meshes import read_mesh
-from landscape.keys import read_toml
+from landscape.settings.declare import read_toml
 
 
 @pytest.fixture(scope="module")

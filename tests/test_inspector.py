@@ -9,16 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from landscape.capture.effects import Effect
-from landscape.capture.safe import may_be_changed, may_be_left_out
-from landscape.gl.calls import Call, Listing, gl
-from landscape.gl.notes import Site
-from landscape.window import words
-from landscape.window.inspector import WHEEL, Inspector
-from landscape.window.inspector_image import picture
-from landscape.window.inspector_page import details, foot, head, visible
-from landscape.window.inspector_tree import Node, Tree
-from landscape.window.inspector_values import Cell, cells, dragged, stepped
+from framelens.gl.notes import Site
+from framelens.gl.seam import Call, Listing, gl
+from framelens.inspector import words
+from framelens.inspector.inspector import WHEEL, Inspector
+from framelens.inspector.inspector_image import picture
+from framelens.inspector.inspector_page import details, foot, head, visible
+from framelens.inspector.inspector_tree import Node, Tree
+from framelens.inspector.inspector_values import Cell, cells, dragged, stepped
+from framelens.tape.effects import Effect
+from framelens.tape.safe import may_be_changed, may_be_left_out
 
 # Enumerants are PyOpenGL's, which must know its platform first.
 pytestmark = pytest.mark.usefixtures("the_stage")
@@ -273,9 +273,9 @@ def test_a_click_without_a_drag_goes_on_to_the_next_enumerant(model: Inspector) 
 
 
 def test_the_call_that_gave_a_pixel_its_colour_is_chosen(model: Inspector, frame: Any) -> None:
-    from landscape.capture.pixel import Row
-    from landscape.capture.probe import Pixel
-    from landscape.capture.steps import find
+    from framelens.tape.pixel import Row
+    from framelens.tape.probe import Pixel
+    from framelens.tape.steps import find
 
     def row(place: str, outcome: str, red: int) -> Row:
         return Row(find(frame, place), outcome, "", Pixel((red, 0, 0, 255), 1.0, 0))

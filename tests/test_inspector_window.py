@@ -18,22 +18,22 @@ from typing import Any
 import pytest
 from commands import SECONDS, end, environment, landscape, python
 
-from landscape.capture.edit_files import read, write
-from landscape.capture.edits import Edit, Key, located_at
-from landscape.render import Offscreen
+from framelens.tape.edit_files import read, write
+from framelens.tape.edits import Edit, Key, located_at
+from landscape.offscreen import Offscreen
 
 pytestmark = pytest.mark.window
 
 WALK = """
 import hashlib, json, sys
-from landscape.capture.edits import as_code
+from framelens.tape.edits import as_code
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.keys import with_settings
-from landscape.settings import preset
-from landscape.window.app import Walk
-from landscape.window.loop import run
-from landscape.window.recording import Plan
+from landscape.settings.declare import with_settings
+from landscape.elements.settings import preset
+from landscape.walk.app import Walk
+from landscape.walk.loop import run
+from landscape.walk.recording import Plan
 
 class Watched(Walk):
     told, pressed = "", 0
@@ -264,13 +264,13 @@ def test_the_mouse_drags_a_number_inside_a_display_list(driven: Driven) -> None:
 SETUP = """
 import hashlib, json, sys
 from pathlib import Path
-from landscape.capture.edit_files import read
+from framelens.tape.edit_files import read
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.scene import scene
-from landscape.window.app import Walk
-from landscape.window.recording import Plan, Tick
-from landscape.window.walker import Intent
+from landscape.scene.scene import scene
+from landscape.walk.app import Walk
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent
 
 kind = scene()
 values = kind.values("2006", {"ground.resolution": 40})

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from landscape.capture import pixel
-from landscape.window import words
-from landscape.window.inspector_words import arithmetic
+from framelens.inspector import words
+from framelens.inspector.inspector_words import arithmetic
+from framelens.tape import pixel
 
 ROWS = {
     "colour (1.000, 0.500, 0.000)": "couleur (1.000, 0.500, 0.000)",

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from landscape.files import installation
-from landscape.files.installation import conflict, how_to_add
-from landscape.tools import doctor
+from framelens.base import installation
+from framelens.base.installation import conflict, how_to_add
+from landscape.commands import doctor
 
 ROOT = Path(__file__).parents[1]
 

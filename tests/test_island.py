@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage, close, project, small
 
+from framelens.gl.seam import gl, recording
 from landscape.elements.planting import PLANT
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.obstacle_grid import ObstacleGrid
 from landscape.geometry.obstacles import RADIUS
-from landscape.gl.calls import gl, recording
-from landscape.island import ELEMENTS, Island
-from landscape.scene import Moment
-from landscape.window.walker import Intent, advance, start
+from landscape.island.island import ELEMENTS, Island
+from landscape.scene.scene import Moment
+from landscape.walk.walker import Intent, advance, start
 
 POSE = Pose(21.0, 2.0, 24.0, 25.0, -5.0)
 MOMENT = Moment(POSE, SIZE, 20.0, 5.0)

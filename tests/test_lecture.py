@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from commands import Shell, landscape, need_library, python, refused
 
-from landscape.course import lecture_texts as texts
 from landscape.course.ladder import NAMES, lesson, lessons
-from landscape.course.lecture import Step, course, new_lines, read
-from landscape.course.lecture_image import caption_image, code_image, steps_image
-from landscape.course.lecture_layout import BANDS, arranged, layout
-from landscape.course.lecture_list import StepList
+from landscape.course.lecture import texts
+from landscape.course.lecture.image import caption_image, code_image, steps_image
+from landscape.course.lecture.layout import BANDS, arranged, layout
+from landscape.course.lecture.list import StepList
+from landscape.course.lecture.plan import Step, course, new_lines, read
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "lecture.md"
 
@@ -22,12 +22,12 @@ DOCS = Path(__file__).resolve().parents[1] / "docs" / "lecture.md"
 MOUSE = """
 import functools, sys
 from pathlib import Path
-from landscape.gl.contexts.glfw import GLFWContext
+from framelens.gl.contexts.glfw import GLFWContext
 GLFWContext.__init__ = functools.partialmethod(GLFWContext.__init__, backend="headless")
-from landscape.course.lecture import read
-from landscape.course.lecture_stage import Stage
-from landscape.course.lecture_view import LectureWalk, planned
-from landscape.window.inspector_page import foot
+from landscape.course.lecture.plan import read
+from landscape.course.lecture.stage import Stage
+from landscape.course.lecture.view import LectureWalk, planned
+from framelens.inspector.inspector_page import foot
 stage = Stage(read(Path(sys.argv[1])), 0, (400, 250), 1)
 stage.begin(0)
 with LectureWalk(stage, planned(stage, "fig5a", "en")) as walk:

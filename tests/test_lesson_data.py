@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape.errors import InputError
-from landscape.studio.lesson_data import DATA, FONT, MAKERS, main, sky
-from landscape.studio.planet import planet
-from landscape.studio.teapot import patches
+from framelens.base.errors import InputError
+from landscape.studio.lessons.lesson_data import DATA, FONT, MAKERS, main, sky
+from landscape.studio.lessons.planet import planet
+from landscape.studio.lessons.teapot import patches
 
 
 def test_every_file_has_a_maker_and_all_are_small() -> None:

@@ -8,13 +8,13 @@ import pytest
 from animals import CUBE, CUBE_FACES, LIT, ball, made
 from stage import Stage, live_names, small, write_ply
 
+from framelens.gl.seam import recording
 from landscape.elements.best.animals.fine_animal import FineAnimal
 from landscape.elements.best.animals.levels_of_detail import AT_MOST, CUBES, levels_of_detail
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import recording
 
 
 def test_the_farther_an_animal_the_coarser_its_mesh(stage: Stage, plain_folder) -> None:

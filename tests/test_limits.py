@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from commands import Shell
 
-from landscape.elements.best.ornate.baked_light import light
+from landscape.elements.best.castle.baked_light import light
 from landscape.elements.best.terrain.materials import textured
-from landscape.settings import Sun
+from landscape.elements.settings import Sun
 
 
 @pytest.fixture(scope="module")

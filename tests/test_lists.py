@@ -8,11 +8,11 @@ import pytest
 from commands import landscape
 from stage import SMALL_BEST
 
-from landscape.capture.edits import Edit, Edits, ListKey, located
-from landscape.capture.lists import compile_again, recompile
-from landscape.gl.calls import Listing, lists_now
-from landscape.render import Offscreen
-from landscape.views import MAIN, VIEWS
+from framelens.gl.seam import Listing, lists_now
+from framelens.tape.edits import Edit, Edits, ListKey, located
+from framelens.tape.lists import compile_again, recompile
+from landscape.island.views import MAIN, VIEWS
+from landscape.offscreen import Offscreen
 
 SIZE = (96, 72)
 

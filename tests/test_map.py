@@ -7,12 +7,12 @@ import pytest
 from PIL import Image
 from stage import Stage, close, small
 
+from framelens.gl.seam import gl
 from landscape.elements.map import Map, map_picture, place_on_map
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights, read_image
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField, height_field
-from landscape.gl.calls import gl
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
 GREEN = np.array([0, 255, 0])

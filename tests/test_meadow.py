@@ -9,6 +9,7 @@ from flat_land import flat, grass_settings
 from sprite_stage import looking
 from stage import Stage, small
 
+from framelens.gl.seam import gl
 from landscape.elements.best.meadow import growth as growth_module
 from landscape.elements.best.meadow.facing import facing, facing_plain
 from landscape.elements.best.meadow.growth import Growth
@@ -22,19 +23,11 @@ from landscape.elements.best.meadow.refined_blades import (
     count_at,
     nearness,
 )
-from landscape.elements.grass import (
-    Blades,
-    Grass,
-    bent,
-    blade_corners,
-    blade_vertices,
-    blade_wind,
-)
+from landscape.elements.grass import Blades, Grass, bent, blade_corners, blade_vertices, blade_wind
 from landscape.elements.grass_cells import CELL
 from landscape.elements.ground import Ground
 from landscape.files.assets import Assets
 from landscape.frame import Detail, Pose
-from landscape.gl.calls import gl
 
 NORTH = Pose(20.0, 3.1, 20.0)
 LUSH: dict[str, Any] = {"fade": True, "tufts": 7, "variety": 1.0, "count": 200_000}

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from stage import Stage, close, small, write_ply
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.gl.seam import recording
 from landscape.files.meshes import read_colours, read_mesh, read_ply
 from landscape.frame import Pose
 from landscape.geometry.clustering import clustered
@@ -23,7 +24,6 @@ from landscape.geometry.mesh import (
     scaled,
     vertex_normals,
 )
-from landscape.gl.calls import recording
 from landscape.gl.draw import draw_mesh
 
 

@@ -5,10 +5,10 @@ import pytest
 from seaside import LEVEL, POSE, mirrored_wall, red
 from stage import Stage, close, pixel, project, quad, small
 
+from framelens.gl.seam import gl
 from landscape.elements.best.sea import waves
 from landscape.elements.best.sea.mirror_image import MirrorImage, widened
 from landscape.files.assets import Assets
-from landscape.gl.calls import gl
 
 
 def test_the_reflections_edge_moves_with_kt_only_when_rippled(stage: Stage, plain: Assets) -> None:

@@ -11,16 +11,16 @@ from commands import Shell, refused, small_textures
 from stage import SMALL, SMALL_BEST, Stage
 from state_calls import Fresh
 
-from landscape.capture.moments import leaks, state_at
-from landscape.capture.state import State, changed, difference, read, restore
-from landscape.capture.steps import issue
-from landscape.capture.tape import Tape
-from landscape.errors import InputError
-from landscape.gl.calls import Call, drawing, gl, recording, unnoted
+from framelens.base.errors import InputError
+from framelens.gl.framebuffer import Framebuffer, read_pixels
+from framelens.gl.seam import Call, drawing, gl, recording, unnoted
+from framelens.report.state_report import report
+from framelens.state.state import State, changed, difference, read, restore
+from framelens.tape.moments import leaks, state_at
+from framelens.tape.steps import issue
+from framelens.tape.tape import Tape
 from landscape.gl.display_list import DisplayList
-from landscape.gl.framebuffer import Framebuffer, read_pixels
-from landscape.render import Offscreen
-from landscape.tools.state_report import report
+from landscape.offscreen import Offscreen
 
 SIZE = (96, 72)
 QUICK = {"2006": SMALL, "best": SMALL_BEST}

@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 from stage import SMALL, SMALL_BEST, write_plain, write_ply
 
+from framelens.gl.seam import Call, gl, recording
 from landscape.elements import atlas
 from landscape.elements.atlas import CELLS
-from landscape.elements.best.ornate import ornate_castle, weathered_castle
+from landscape.elements.best.castle import ornate_castle, weathered_castle
 from landscape.elements.best.sprites import refined_atlas
+from landscape.elements.settings import PRESETS
 from landscape.elements.water_surface import WaterSurface
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import Call, gl, recording
-from landscape.render import Offscreen
-from landscape.settings import PRESETS
-from landscape.views import VIEWS
+from landscape.island.views import VIEWS
+from landscape.offscreen import Offscreen
 
 LIST = Path(__file__).resolve().parents[1] / "shaders_none" / "forbidden.txt"
 FEW = {name: SMALL_BEST if name == "best" else SMALL for name in PRESETS}

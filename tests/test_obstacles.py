@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from landscape.elements.planting import PLANT, THICK, Sprites, trunks
+from landscape.elements.settings import Settings, preset
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.obstacle_grid import ObstacleGrid
 from landscape.geometry.obstacles import RADIUS, Gate, Tower, Wall, courtyard
 from landscape.geometry.pockets import without_pockets
-from landscape.settings import Settings, preset
-from landscape.window.walker import Intent, Walker, advance, start
+from landscape.walk.walker import Intent, Walker, advance, start
 
 BEST = preset("best")
 FLAT = HeightField(np.full((50, 50), 1.0, np.float32), 40.0, 0.6)

@@ -6,14 +6,14 @@ from commands import small_textures
 from gl_state import changes, snapshot
 from stage import SMALL, SMALL_BEST, Stage
 
+from framelens.gl.context import open_context
+from framelens.gl.framebuffer import Framebuffer
+from landscape.elements.settings import PRESETS, Settings, preset
 from landscape.files.assets import Assets
-from landscape.gl.context import open_context
-from landscape.gl.framebuffer import Framebuffer
-from landscape.island import Island
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame, placed
-from landscape.settings import PRESETS, Settings, preset
-from landscape.views import ALL, VIEWS
+from landscape.island.island import Island
+from landscape.island.views import ALL, VIEWS
+from landscape.scene.scene import Moment, begin_frame, placed
+from landscape.settings.declare import with_settings
 
 SIZE = (96, 72)
 MANY = {"grass.count": 100_000, "trees.count": 400, "plants.count": 400, "deer.count": 60}

@@ -7,7 +7,8 @@ import pytest
 from castles import FLAT, PLACED, at, drawn
 from stage import Stage, pixel, project, small, write_plain
 
-from landscape.elements.best.ornate.baked_light import (
+from framelens.gl.seam import gl, recording
+from landscape.elements.best.castle.baked_light import (
     SIDE,
     in_yard,
     light,
@@ -17,10 +18,10 @@ from landscape.elements.best.ornate.baked_light import (
     stopped,
     turned_sun,
 )
-from landscape.elements.best.ornate.gate import GATE_CORNERS
-from landscape.elements.best.ornate.loopholes import loopholes
-from landscape.elements.best.ornate.ornate_castle import OrnateCastle
-from landscape.elements.best.ornate.ornate_masonry import (
+from landscape.elements.best.castle.gate import GATE_CORNERS
+from landscape.elements.best.castle.loopholes import loopholes
+from landscape.elements.best.castle.ornate_castle import OrnateCastle
+from landscape.elements.best.castle.ornate_masonry import (
     BAND,
     GATE,
     KEEP,
@@ -29,23 +30,22 @@ from landscape.elements.best.ornate.ornate_masonry import (
     ornate_masonry,
     ornate_tower,
 )
-from landscape.elements.best.ornate.pennants import (
+from landscape.elements.best.castle.pennants import (
     interleaved,
     packed_by_hand,
     pennant,
     pennant_vertices,
 )
-from landscape.elements.best.ornate.roofs import KEEP_ROOF, MASTS, ornate_outlines, roofs
+from landscape.elements.best.castle.roofs import KEEP_ROOF, MASTS, ornate_outlines, roofs
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.castle import Castle
+from landscape.elements.settings import TIMES, Sun, preset
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP, WALL, outlines, quads_mesh
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import gl, recording
-from landscape.keys import with_settings
-from landscape.settings import TIMES, Sun, preset
+from landscape.settings.declare import with_settings
 
 SETTINGS = {**PLACED, "sun.azimuth": 180.0, "sun.elevation": 45.0}
 

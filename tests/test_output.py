@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape.errors import InputError
-from landscape.files import output
-from landscape.files.output import (
+from framelens.base import output
+from framelens.base.errors import InputError
+from framelens.base.output import (
     Output,
     check_output_folder,
     check_writable,

@@ -7,9 +7,9 @@ from types import SimpleNamespace
 import pytest
 
 from landscape.frame import FULL, Pose
-from landscape.scene import Moment
-from landscape.window import steady
-from landscape.window.pace import FIXED, STANDING, WALKING, Level, Pace
+from landscape.scene.scene import Moment
+from landscape.walk import steady
+from landscape.walk.pace import FIXED, STANDING, WALKING, Level, Pace
 
 BUDGET = 1 / 30
 

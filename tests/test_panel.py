@@ -9,22 +9,15 @@ from gl_state import changes, snapshot
 from PIL import ImageFont
 from stage import Stage
 
-from landscape import system
-from landscape.files.fonts import font, writable
-from landscape.fixes import FIXES
-from landscape.gl.calls import gl
-from landscape.gl.framebuffer import Framebuffer
-from landscape.languages import choose
-from landscape.window import words
-from landscape.window.bindings import (
-    BINDINGS,
-    LETTERS,
-    NAMED_KEYS,
-    SETTINGS,
-    labels,
-    us_name,
-)
-from landscape.window.panel import Panel, keys_image, line_image, text_size
+from framelens import system
+from framelens.base.fonts import font, writable
+from framelens.base.texts import choose
+from framelens.gl.framebuffer import Framebuffer
+from framelens.gl.seam import gl
+from framelens.inspector.panel import Panel, keys_image, line_image, text_size
+from landscape.island.fixes import FIXES
+from landscape.walk import words
+from landscape.walk.keys import BINDINGS, LETTERS, NAMED_KEYS, SETTINGS, labels, us_name
 
 pytestmark = pytest.mark.window
 

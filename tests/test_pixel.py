@@ -9,13 +9,13 @@ import pytest
 from commands import landscape, need_library
 from stage import SMALL_BEST, Stage
 
-from landscape.capture import state
-from landscape.capture.pixel import Row, history
-from landscape.capture.tape import Tape
-from landscape.errors import InputError
-from landscape.gl.calls import gl, recording, unnoted
-from landscape.gl.framebuffer import read_pixels
-from landscape.render import Offscreen
+from framelens.base.errors import InputError
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.seam import gl, recording, unnoted
+from framelens.state import state
+from framelens.tape.pixel import Row, history
+from framelens.tape.tape import Tape
+from landscape.offscreen import Offscreen
 
 SIZE = (160, 120)
 VIEWS = {"2006": ("fig35a", "fig35e", "fig35f", "fig35g"), "best": ("fig35e",)}

@@ -6,13 +6,13 @@ import sys
 import pytest
 from commands import SECONDS, environment, python
 
-from landscape.system import limits
+from framelens.system import limits
 
 # Fills memory by 8 MB at a time until it may no more; says how much it got, in MB, and what it gets
 # without a limit.
 FILL = """
 import sys, time
-from landscape.system import limits
+from framelens.system import limits
 
 limits.system.KEEPS_MEMORY = limits.system.KEEPS_MEMORY and sys.argv[1] == "by the system"
 limits.limit_memory(limits.used() + (100 << 20))
@@ -41,7 +41,7 @@ END_WITH = """
 import os, subprocess, sys, time
 child = subprocess.Popen([sys.executable, "-c", '''
 import os, sys, time
-from landscape.system import limits
+from framelens.system import limits
 system = sys.platform
 sys.platform = sys.argv[1] or system
 limits.end_with(int(sys.argv[2]))

@@ -112,7 +112,7 @@ def test_kill_ends_a_walk_with_its_recording_complete(mark: str, tmp_path: Path)
 def test_the_first_worker_that_starts_holds_back_ctrl_c_as_the_others_do() -> None:
     code = """
 import multiprocessing, signal, time
-from landscape.system import starting_workers
+from framelens.system import starting_workers
 with starting_workers():
     worker = multiprocessing.get_context("spawn").Process(target=time.sleep, args=(0,))
     worker.start()

@@ -11,8 +11,8 @@ import pytest
 from commands import TESTS, environment, landscape, need_library, python
 from watching import PROGRAMS, Seen, Watcher
 
-from landscape.capture.program_source import read_source
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.program.program_source import read_source
 
 PATHS = f"{TESTS.parent}{os.pathsep}{TESTS}"
 Write = Callable[[str], Path]
@@ -350,7 +350,7 @@ def test_a_program_that_fails_ends_in_one_line(watch: Watcher, write: Write, nam
     assert words in seen.error
     if "raised" in words:
         assert seen.details.startswith('Traceback (most recent call last):\n  File "')
-        assert "landscape/capture" not in seen.details.splitlines()[1]
+        assert "framelens" not in seen.details.splitlines()[1]
     else:
         assert seen.details == "" or name == "no package"
 
@@ -507,11 +507,11 @@ def test_a_program_is_ended_in_any_thread(tmp_path: Path) -> None:
     path.write_text("import glfw\nwhile True: pass\n")
     code = """
 import sys, threading
-from landscape.capture.program_source import read_source
-from landscape.errors import InputError
+from framelens.program.program_source import read_source
+from framelens.base.errors import InputError
 from watching import Watch
-from landscape.capture.program import run
-from landscape.errors import InputError
+from framelens.program.program import run
+from framelens.base.errors import InputError
 def go():
     try:
         run(sys.argv[1], limit=0.3, observer=Watch())

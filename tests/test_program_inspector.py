@@ -15,7 +15,7 @@ from commands import SECONDS, TESTS, landscape, need_library, refused
 from PIL import ImageGrab
 from test_window import _wait_for, screen, xdotool
 
-from landscape.capture.edit_files import read
+from framelens.tape.edit_files import read
 
 __all__ = ["screen"]  # the fixture
 pytestmark = pytest.mark.window
@@ -378,7 +378,7 @@ def test_a_program_that_cannot_go_on_ends_the_inspector_in_one_line(
     rest, words = ENDS[name]
     program, begun = tmp_path / "hostile.py", tmp_path / "begun.txt"
     program.write_text(HOSTILE + rest)
-    code = "from landscape.capture import guard\nfrom landscape.cli import main\n"
+    code = "from framelens.base import guard\nfrom landscape.cli import main\n"
     code += "guard.GRACE = 0.3\nraise SystemExit(main())"
     process = subprocess.Popen(
         [sys.executable, "-c", code, "inspect", str(program)],

@@ -5,10 +5,10 @@ import re
 
 import pytest
 
-from landscape.course.exercises import NAMES as EXERCISES
-from landscape.course.exercises import exercise, start
+from landscape.commands.lesson import described
+from landscape.course.exercise import NAMES as EXERCISES
+from landscape.course.exercise import exercise, start
 from landscape.course.ladder import NAMES, lesson
-from landscape.course.lesson_command import described
 from landscape.course.program_texts import lines, texts, translated
 
 PROGRAM = '''\

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from landscape.files.progress import Progress
+from framelens.base.progress import Progress
 
 
 class Terminal(io.StringIO):

@@ -7,6 +7,7 @@ import pytest
 from animals import CUBE, CUBE_FACES, FLAT, LIT, PLATE, made
 from stage import PLAIN, Stage, close, pixel, project, small, write_ply
 
+from framelens.gl.seam import recording
 from landscape.elements.animal import COLOR, read_animal
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import read_painted
@@ -15,12 +16,11 @@ from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
 from landscape.elements.best.animals.fur import eyes, glints, hair_lengths, laid, shells
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.rabbit import Rabbit, cylindrical
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.obstacles import Tower, Wall
-from landscape.gl.calls import recording
-from landscape.keys import with_settings
-from landscape.settings import Settings
+from landscape.settings.declare import with_settings
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
 ANIMAL = np.array(PLAIN["animal.png"])

@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
-from landscape.errors import InputError
-from landscape.files.output import next_free
+from framelens.base.errors import InputError
+from framelens.base.output import next_free
+from landscape.elements.settings import preset
 from landscape.frame import Pose
-from landscape.keys import with_settings
-from landscape.settings import preset
-from landscape.window import recording
-from landscape.window.recording import Plan, Tick, Writer
-from landscape.window.walker import Intent
+from landscape.settings.declare import with_settings
+from landscape.walk import recording
+from landscape.walk.recording import Plan, Tick, Writer
+from landscape.walk.walker import Intent
 
 pytestmark = pytest.mark.window
 

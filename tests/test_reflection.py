@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from stage import Stage, close, pixel, project, quad, small
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib
 from landscape.elements.reflection import MIRROR, inside_water, mirrored
 from landscape.elements.sun import lit
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import mirrored_height
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib
 
 LEVEL = 0.6
 SETTINGS = small({"water.level": LEVEL})

@@ -12,10 +12,10 @@ import pytest
 from commands import SECONDS, running
 from PIL import Image
 
-from landscape.errors import UNEXPECTED, InputError, say_unexpected
-from landscape.render import Offscreen
-from landscape.tools import render_many
-from landscape.views import VIEWS
+from framelens.base.errors import UNEXPECTED, InputError, say_unexpected
+from landscape.commands import render_many
+from landscape.island.views import VIEWS
+from landscape.offscreen import Offscreen
 
 ARGUMENTS = {"size": (48, 32), "preset": "2006", "only": ("ground", "sky", "fog"), "samples": 0}
 NAMES = ("fig35a", "fig35e", "fig35g", "fig2a")
@@ -51,7 +51,7 @@ def test_an_error_in_one_process_is_reported_in_its_own_words(two: None, tmp_pat
 def test_a_defect_in_one_process_is_told_with_its_place_there(
     two: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    fixed = "from landscape import scene; scene.begin_frame = lambda *_, **__: {}['a defect']"
+    fixed = "from landscape.scene import scene; scene.begin_frame = lambda *_, **__: {}['a defect']"
     (tmp_path / "sitecustomize.py").write_text(fixed, encoding="utf-8")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
     jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]

@@ -1,91 +1,122 @@
-"""The floors: every module imports only from its own floor or from one below it."""
+"""The floors: every module imports only from its own room or from one on a floor below it."""
 
 import ast
-from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
-import pytest
+ROOT = Path(__file__).resolve().parents[1]
 
-PACKAGE = Path(__file__).resolve().parents[1] / "landscape"
-
-# From the ground up. A name is a module or a room; rooms on one floor may not import each other,
-# but for a room's own modules.
-FLOORS = (
-    ("errors", "frame"),
+# From the ground up. A name is a room or a module beside the rooms; rooms of one floor may not
+# import each other.
+FRAMELENS = (
     ("system",),
-    ("files",),
-    ("keys", "languages"),
-    ("arguments", "conditions", "settings"),
-    ("geometry",),
-    ("flyover",),
+    ("base",),
     ("gl",),
-    ("capture",),
+    ("spec",),
+    ("state",),
+    ("tape",),
+    ("program",),
     ("why",),
-    ("elements",),
-    ("scene",),
-    ("views",),
-    ("fixes",),
-    ("island", "effects", "voxel"),
-    ("render",),
-    ("window", "gallery", "studio"),
-    ("tools",),
-    ("film",),
-    ("course",),
-    ("lessons", "exercises"),
+    ("inspector", "report"),
+    ("commands",),
     ("__init__",),
-    ("options",),
     ("cli",),
     ("__main__",),
 )
-LEVELS = {name: level for level, names in enumerate(FLOORS) for name in names}
+LANDSCAPE = (
+    ("frame",),
+    ("files", "settings"),
+    ("elements.settings",),
+    ("geometry",),
+    ("flyover",),
+    ("gl",),
+    ("elements",),
+    ("scene",),
+    ("island", "hall", "voxel"),
+    ("offscreen",),
+    ("walk", "gallery", "studio"),
+    ("bench", "film"),
+    ("flyover.app",),
+    ("course",),
+    ("course.lessons", "course.exercises"),
+    ("__init__",),
+    ("commands",),
+    ("cli",),
+    ("__main__",),
+)
+LEVELS = {
+    f"{package}.{name}": (height, level)
+    for height, (package, floors) in enumerate((("framelens", FRAMELENS), ("landscape", LANDSCAPE)))
+    for level, floor in enumerate(floors)
+    for name in floor
+}
 
 
-def modules() -> list[Path]:
-    return sorted(PACKAGE.rglob("*.py"))
+def modules(root: Path = ROOT) -> list[Path]:
+    return sorted(
+        path for name in ("framelens", "landscape") for path in (root / name).rglob("*.py")
+    )
 
 
 def room(module: str) -> str:
-    """Return the room of a dotted name such as landscape.gl.calls, or its own name at the top."""
-    parts = module.split(".")[1:]
-    return parts[0] if parts and parts[0] != "__version__" else "__init__"
+    """Return the room of a dotted name such as framelens.gl.seam; one beside the rooms is one."""
+    parts = module.split(".")
+    for length in (3, 2):
+        name = ".".join(parts[:length])
+        if name in LEVELS:
+            return name
+    return f"{parts[0]}.__init__" if parts[1:] in ([], ["__version__"]) else ".".join(parts[:2])
 
 
-def own_name(path: Path) -> str:
-    parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+def own_name(path: Path, root: Path = ROOT) -> str:
+    parts = path.relative_to(root).with_suffix("").parts
     return ".".join(parts[:-1] if parts[-1] == "__init__" and len(parts) > 2 else parts)
 
 
-def imports(path: Path) -> Iterator[tuple[int, str]]:
-    """Yield the line and dotted name of each import of this package, wherever it stands."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+@cache
+def imports(path: Path) -> list[tuple[int, str]]:
+    """Return the line and dotted name of each import of our packages, wherever it stands.
+
+    What stands under `if TYPE_CHECKING` is not imported.
+    """
+    code = ast.parse(path.read_text(encoding="utf-8"))
+    typed = {
+        id(node)
+        for test in ast.walk(code)
+        if isinstance(test, ast.If) and ast.unparse(test.test) == "TYPE_CHECKING"
+        for node in ast.walk(test)
+    }
+    lines = []
+    for node in ast.walk(code):
+        if id(node) in typed:
+            continue
         if isinstance(node, ast.Import):
-            for alias in node.names:
-                if alias.name.split(".")[0] == "landscape":
-                    yield node.lineno, alias.name
+            names = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.module:
-            if node.module == "landscape":
-                for alias in node.names:
-                    yield node.lineno, f"landscape.{alias.name}"
-            elif node.module.startswith("landscape."):
-                yield node.lineno, node.module
+            names = [f"{node.module}.{alias.name}" for alias in node.names]
+        else:
+            continue
+        for name in names:
+            if name.split(".")[0] in ("framelens", "landscape"):
+                lines.append((node.lineno, name))
+    return lines
 
 
-def upward(path: Path) -> list[str]:
+def upward(path: Path, root: Path = ROOT) -> list[str]:
     """Return each import of a module that goes up, or across to another room of its floor."""
-    mine = room(own_name(path))
-    found = []
+    mine = room(own_name(path, root))
+    wrong = []
     for line, name in imports(path):
         other = room(name)
         if other == mine:
             continue
         if other not in LEVELS or LEVELS[other] >= LEVELS[mine]:
-            found.append(f"{path.relative_to(PACKAGE.parent).as_posix()}:{line}: {name}")
-    return found
+            wrong.append(f"{path.relative_to(root).as_posix()}:{line}: {name}")
+    return wrong
 
 
-@pytest.mark.parametrize("path", modules(), ids=lambda path: path.relative_to(PACKAGE).as_posix())
-def test_no_module_imports_from_a_floor_above(path: Path) -> None:
-    assert upward(path) == []
+def test_no_module_imports_from_a_floor_above() -> None:
+    assert [each for path in modules() for each in upward(path)] == []
 
 
 def test_every_room_has_a_floor() -> None:
@@ -93,25 +124,30 @@ def test_every_room_has_a_floor() -> None:
     assert rooms == set(LEVELS)
 
 
-def test_an_import_that_goes_up_or_across_is_found(tmp_path: Path, monkeypatch) -> None:
-    folder = tmp_path / "landscape"
-    (folder / "gl").mkdir(parents=True)
-    (folder / "gallery").mkdir()
-    monkeypatch.setattr("test_rooms.PACKAGE", folder)
-    low, high = folder / "gl" / "calls.py", folder / "gallery" / "pairs.py"
+def test_an_import_that_goes_up_or_across_is_found(tmp_path: Path) -> None:
+    for folder in ("framelens/gl", "landscape/gallery"):
+        (tmp_path / folder).mkdir(parents=True)
+    low = tmp_path / "framelens" / "gl" / "seam.py"
+    high = tmp_path / "landscape" / "gallery" / "pairs.py"
     low.write_text("def late():\n    from landscape.elements.fog import enable\n")
-    high.write_text("import landscape.window.app\nfrom landscape import scene\n")
-    assert upward(low) == ["landscape/gl/calls.py:2: landscape.elements.fog"]
-    assert upward(high) == ["landscape/gallery/pairs.py:1: landscape.window.app"]
+    high.write_text("import landscape.walk.app\nfrom landscape.scene import scene\n")
+    assert upward(low, tmp_path) == ["framelens/gl/seam.py:2: landscape.elements.fog.enable"]
+    assert upward(high, tmp_path) == ["landscape/gallery/pairs.py:1: landscape.walk.app"]
+
+
+def test_framelens_knows_nothing_of_the_island() -> None:
+    for path in modules():
+        if path.is_relative_to(ROOT / "framelens"):
+            assert [name for _, name in imports(path) if name.startswith("landscape")] == [], path
 
 
 def test_geometry_and_files_never_import_opengl() -> None:
     for path in modules():
-        below = LEVELS.get(room(own_name(path)), 99) < LEVELS["gl"]
-        text = path.read_text(encoding="utf-8")
-        if below:
-            assert "landscape.gl" not in text and "import OpenGL" not in text, path
+        own = room(own_name(path))
+        if own.startswith("landscape.") and LEVELS[own] < LEVELS["landscape.gl"]:
+            text = path.read_text(encoding="utf-8")
+            assert "framelens.gl" not in text and "import OpenGL" not in text, path
 
 
 def test_the_top_has_at_most_15_modules() -> None:
-    assert len(list(PACKAGE.glob("*.py"))) <= 15
+    assert len(list((ROOT / "landscape").glob("*.py"))) <= 15

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
-from landscape.course import sandbox
-from landscape.course.exercise_commands import as_json
-from landscape.course.exercises import Grader, exercise
-from landscape.course.sandbox import Job, Sandbox
-from landscape.errors import UnexpectedError
-from landscape.system import limits
+from framelens.base.errors import UnexpectedError
+from framelens.system import limits
+from landscape.commands.exercise import as_json
+from landscape.course.exercise import Grader, exercise
+from landscape.course.grader import sandbox
+from landscape.course.grader.sandbox import Job, Sandbox
 
 SECONDS = 20.0  # a program may take; the machine may be busy with other tests
 HEAD = "# exercise: winding\nimport os\nimport glfw\nfrom OpenGL.GL import *\n"

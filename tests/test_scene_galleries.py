@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from framelens.base.texts import LANGUAGES
 from landscape.gallery.scene_captions import STEPS, VIEW_TEXTS
 from landscape.gallery.scene_page import PAIR_SIZE, STEP_SIZE, VIEW_SIZE, page, panels
-from landscape.languages import LANGUAGES
-from landscape.scene import scene
+from landscape.scene.scene import scene
 
 KEPT = Path(__file__).resolve().parents[1] / "screenshots"
 MOST = {"hall": 2_400_000, "voxel": 1_200_000}  # bytes, chosen: of a scene's pictures together

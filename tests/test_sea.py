@@ -5,6 +5,7 @@ import pytest
 from seaside import BACKGROUND, CALM, LEVEL, POSE, beach, drawn, grid_at, mirrored_wall, red, sent
 from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, quad, small
 
+from framelens.gl.seam import gl
 from landscape.elements.best.sea import waves
 from landscape.elements.best.sea.sea import Sea, fog_depths, reflected, wanted
 from landscape.elements.best.sea.shallows import (
@@ -16,12 +17,11 @@ from landscape.elements.best.sea.shallows import (
     depth_picture,
 )
 from landscape.elements.reflection import inside_water
+from landscape.elements.settings import Settings, preset
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.keys import get
-from landscape.settings import Settings, preset
+from landscape.settings.declare import get
 
 BETTER = ("reflection.rippled", "water.relief", "water.shallow", "water.fresnel")
 DEEP = COLOURS[-1]

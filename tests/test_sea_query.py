@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from stage import Stage, quad, small
 
+from framelens.gl.seam import gl, recording
 from landscape.elements.best.sea.occlusion_query import ABOVE, SeaQuery
 from landscape.frame import Pose
-from landscape.gl.calls import gl, recording
 from landscape.gl.display_list import DisplayList
 from landscape.gl.surface_query import compiling
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 
 SETTINGS = small({"water.level": 0.6, "water.horizon": 10.0})
 FEW = {"grass.count": 200_000, "trees.count": 700, "plants.count": 500}

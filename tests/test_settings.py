@@ -5,16 +5,17 @@ from pathlib import Path
 
 import pytest
 
-from landscape import keys, settings
-from landscape.errors import InputError
-from landscape.keys import get, read_toml, with_settings
-from landscape.settings import Settings, preset
+from framelens.base.errors import InputError
+from landscape.elements import settings
+from landscape.elements.settings import Settings, preset
+from landscape.settings import declare
+from landscape.settings.declare import get, read_toml, with_settings
 
-KEYS = keys.fields(Settings)
+KEYS = declare.fields(Settings)
 NUMBERS = [key for key, item in KEYS.items() if type(item.default) in (int, float)]
 
 
-def changed(key: str, value: object) -> keys.Value:
+def changed(key: str, value: object) -> declare.Value:
     return get(with_settings(Settings(), {key: value}), key)
 
 
@@ -30,12 +31,12 @@ def test_every_default_is_within_its_own_limits_and_survives_being_written(key: 
 @pytest.mark.parametrize("key", KEYS)
 def test_every_key_says_what_it_does_its_unit_and_its_source(key: str) -> None:
     meta = KEYS[key].metadata
-    assert len(meta["does"].split()) > 1 and keys.unit(KEYS[key])
-    assert meta["does"] != keys.unit(KEYS[key])
+    assert len(meta["does"].split()) > 1 and declare.unit(KEYS[key])
+    assert meta["does"] != declare.unit(KEYS[key])
     # A place in the report, one of its wishes (R1 to R19), a neighbour of it, or "chosen".
     known = r"(section|figure) \d+(\.\d+)*|introduction|R\d+|glskel effects|chosen"
     assert re.fullmatch(rf"({known})(, ({known}))*", meta["source"])
-    assert keys.expected(KEYS[key])
+    assert declare.expected(KEYS[key])
 
 
 @pytest.mark.parametrize("key", NUMBERS)
@@ -137,7 +138,7 @@ def test_the_error_message_says_what_is_expected() -> None:
 
 
 def test_the_table_lists_every_key_with_value_and_default() -> None:
-    rows = {row["key"]: row for row in keys.table(preset("best"))}
+    rows = {row["key"]: row for row in declare.table(preset("best"))}
     assert rows.keys() == KEYS.keys()
     row = rows["fog.density"]
     assert row["default"] == 0.12 and row["value"] == settings.BEST["fog.density"]

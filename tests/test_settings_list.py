@@ -3,20 +3,13 @@
 import numpy as np
 import pytest
 
-from landscape import keys
-from landscape.files.fonts import font
-from landscape.island import ELEMENTS
-from landscape.settings import Settings, preset
-from landscape.window import settings_list
-from landscape.window.list_image import list_image, visible, wrapped
-from landscape.window.settings_list import (
-    Chooser,
-    heading,
-    rows,
-    step_of,
-    stepped,
-    written,
-)
+from framelens.base.fonts import font
+from landscape.elements.settings import Settings, preset
+from landscape.island.island import ELEMENTS
+from landscape.settings import declare
+from landscape.walk import settings_list
+from landscape.walk.list_image import list_image, visible, wrapped
+from landscape.walk.settings_list import Chooser, heading, rows, step_of, stepped, written
 
 pytestmark = pytest.mark.window
 
@@ -42,7 +35,7 @@ def to(name: str) -> list[str]:
 
 
 def test_every_setting_but_the_names_of_files_has_a_row_or_one_per_component() -> None:
-    for key, item in keys.fields(Settings).items():
+    for key, item in declare.fields(Settings).items():
         names = [name for name, row in ROWS.items() if row.key == key]
         if isinstance(item.default, tuple):
             assert names == [f"{key}.{part}" for part in range(len(item.default))]
@@ -72,7 +65,7 @@ def test_every_value_can_be_stepped_to_its_limits_and_stays_valid(name: str) -> 
         for _ in range(60):
             after_step = stepped(row, value, way, 0.0 if isinstance(start, bool | str) else start)
             assert type(after_step) is type(start)
-            keys.with_settings(BEST, {row.key: row.changed(BEST, after_step)})
+            declare.with_settings(BEST, {row.key: row.changed(BEST, after_step)})
             if not isinstance(start, bool | str):
                 limit = row.item.metadata["high" if way > 0 else "low"]
                 assert (after_step - value) * way > 0 or after_step == limit == value
@@ -101,7 +94,7 @@ def test_bools_change_over_and_choices_go_round() -> None:
 
 
 def test_plus_minus_enter_and_backspace_change_the_chosen_setting() -> None:
-    thick = keys.with_settings(BEST, {"fog.density": 0.5})
+    thick = declare.with_settings(BEST, {"fog.density": 0.5})
     there = to("fog.density")
     assert after(*there, "more") == ("fog.density", {"fog.density": 0.044})
     assert after(*there, "more", "more", "less") == ("fog.density", {"fog.density": 0.044})
@@ -137,7 +130,7 @@ def test_a_closed_list_takes_nothing_and_reopens_where_it_was() -> None:
 
 
 def test_the_page_shows_value_preset_range_and_what_the_change_did() -> None:
-    changed = keys.with_settings(BEST, {"fog.density": 0.05, "grass.count": 20_000_000})
+    changed = declare.with_settings(BEST, {"fog.density": 0.05, "grass.count": 20_000_000})
     shown = page(changed, BEST, "fog.density", "changed at once", "en")
     (chosen,) = [line for line in shown.lines if line.chosen]
     assert (chosen.name, chosen.value, chosen.default) == ("density", "0.05", "0.042")

@@ -6,7 +6,8 @@ from drivers import KNOWN
 from PIL import Image
 from stage import Stage, small
 
-from landscape.elements.best.overlay.shining_sword import (
+from framelens.gl import extensions
+from landscape.elements.best.sword.shining_sword import (
     BEND,
     TAN,
     ShiningSword,
@@ -15,13 +16,12 @@ from landscape.elements.best.overlay.shining_sword import (
     steel,
     strip,
 )
-from landscape.elements.best.overlay.steel_blade import sword_class
+from landscape.elements.best.sword.steel_blade import sword_class
 from landscape.elements.sword import ASPECT, Sword, pictures
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 STEEL = (150, 155, 170, 255)
 BRASS = (200, 160, 70, 255)

@@ -7,11 +7,11 @@ from stage import Stage
 from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.terrain import Terrain
 from landscape.elements.ground import Ground
+from landscape.elements.settings import Settings, preset
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.geometry.height_field import height_field
-from landscape.keys import with_settings
-from landscape.settings import Settings, preset
+from landscape.settings.declare import with_settings
 
 LAND, SEA = (200, 60, 20), (20, 90, 200)
 LEVEL = 0.6

@@ -3,15 +3,15 @@
 import pytest
 from broken_programs import BROKEN, CLEAR, FLAT, GLFW
 
-from landscape.capture.pixel import history
-from landscape.capture.program import Showing, Window
-from landscape.capture.program_tape import on_frame
-from landscape.capture.shown import shown_otherwise
-from landscape.capture.state import changed
-from landscape.gl.calls import Call, Site
-from landscape.tools.target import Target
-from landscape.tools.trace_text import as_text
-from landscape.why.walk import unseen_draws, without_trace
+from framelens.gl.seam import Call, Site
+from framelens.program.program import Showing, Window
+from framelens.program.program_frame import ProgramFrame
+from framelens.program.program_tape import on_frame
+from framelens.program.shown import shown_otherwise
+from framelens.report.trace_text import as_text
+from framelens.state.state import changed
+from framelens.tape.pixel import history
+from framelens.why.walk import unseen_draws, without_trace
 
 SITE = Site("case.py", 7, "display", "case.py")
 RECT = "glRectf(60, 40, 200, 150)\n"
@@ -58,7 +58,7 @@ def test_nothing_is_told_of_a_frame_that_is_shown(showing, double_buffered):
 
 def notices(path, frame: int = 0) -> list[str]:
     lines: list[str] = []
-    Target(str(path), frame=frame, tell=lines.extend).look(lambda tape: None)
+    ProgramFrame(str(path), frame=frame, tell=lines.extend).look(lambda tape: None)
     return lines
 
 

@@ -9,14 +9,14 @@ import pytest
 from commands import TESTS
 from PIL import Image
 
-from landscape.capture import spec
-from landscape.course.exercises import NAMES, exercise
+from framelens.base.texts import LANGUAGES, translator
+from framelens.spec import spec
+from landscape.commands.lesson import described, program_described
+from landscape.course.exercise import NAMES, exercise
 from landscape.course.ladder import lessons, program_files
-from landscape.course.lesson_command import described, program_described
 from landscape.course.pages import as_markdown, blocks
 from landscape.gallery.scene_captions import INTRODUCTIONS, STEPS, VIEW_TEXTS
-from landscape.languages import LANGUAGES, translator
-from landscape.scene import scene
+from landscape.scene.scene import scene
 
 SITE = TESTS.parent / "scripts" / "site"
 MODULES = (

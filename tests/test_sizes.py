@@ -8,11 +8,11 @@ from collections.abc import Iterator
 import pytest
 from commands import end, environment, python
 
-from landscape.gl.glfw_library import glfw
-from landscape.window import sizes
-from landscape.window.recording import Tick
-from landscape.window.sizes import PATIENCE, Resizer
-from landscape.window.walker import Intent
+from framelens.gl.glfw_library import glfw
+from landscape.walk import sizes
+from landscape.walk.recording import Tick
+from landscape.walk.sizes import PATIENCE, Resizer
+from landscape.walk.walker import Intent
 
 pytestmark = pytest.mark.window
 
@@ -100,7 +100,7 @@ def fine_screen() -> Iterator[dict[str, str]]:
 def test_a_window_is_larger_on_a_fine_screen_unless_its_size_is_asked_for(fine_screen) -> None:
     code = """
 import sys
-from landscape.gl.contexts.glfw import GLFWContext
+from framelens.gl.contexts.glfw import GLFWContext
 for size, enlarged in (((300, 200), True), ((300, 200), False), ((1000, 500), True)):
     context = GLFWContext(size, enlarged=enlarged)
     print(context.size, context.glfw.get_window_size(context.window))

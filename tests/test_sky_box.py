@@ -9,14 +9,14 @@ import pytest
 from PIL import Image
 from stage import Stage, close, pixel, project, quad, small, write_plain
 
+from framelens.gl.seam import gl
+from framelens.gl.texture import mip_levels
 from landscape.elements.best.sky.seamless import seamless_levels
 from landscape.elements.fog import visibility
 from landscape.elements.sky_box import FACES, SkyBox, face_coordinates, face_corners, set_files
 from landscape.elements.unfolded_sky import folded, unfolded
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.gl.texture import mip_levels
 
 LEVEL = 0.6
 D = 8.0

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from stage import Stage
 
-from landscape.capture import spec, spec_enumerants, spec_table, state
-from landscape.capture.spec_functions import LEFT_OUT
-from landscape.errors import InputError
-from landscape.gl.calls import gl
+from framelens.base.errors import InputError
+from framelens.gl.seam import gl
+from framelens.spec import spec, spec_enumerants, spec_table
+from framelens.spec.spec_functions import LEFT_OUT
+from framelens.state import state
 
 INVALID_ENUM, INVALID_VALUE = 0x500, 0x501
 WRONG = 0xBAD  # no enumerant of OpenGL has this value

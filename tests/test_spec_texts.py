@@ -3,9 +3,9 @@
 import pytest
 from stage import Stage
 
-from landscape.capture import spec, spec_enumerants, spec_table, spec_texts
-from landscape.gl.calls import gl
-from landscape.languages import LANGUAGES, translator
+from framelens.base.texts import LANGUAGES, translator
+from framelens.gl.seam import gl
+from framelens.spec import spec, spec_enumerants, spec_table, spec_texts
 
 LONGEST = 110  # characters, chosen: a line of the inspector
 TABLES = ("FUNCTIONS", "ARGUMENTS", "ENUMERANTS")

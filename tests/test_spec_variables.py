@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from stage import Stage
 
-from landscape.capture import spec, state
-from landscape.capture.spec_variables import SETS
-from landscape.gl.calls import gl
+from framelens.gl.seam import gl
+from framelens.spec import spec
+from framelens.spec.spec_variables import SETS
+from framelens.state import state
 
 HALF = np.full(4, 0.5, np.float32)
 PIXELS = bytes(64)
@@ -115,7 +116,7 @@ CALLS = [
 @pytest.mark.parametrize(("name", "args"), CALLS)
 def test_what_a_call_changes_is_what_it_sets(name, args) -> None:
     if name.startswith("glu"):
-        from landscape.gl import glu  # it imports OpenGL, which then must know its platform
+        from framelens.gl import glu  # it imports OpenGL, which then must know its platform
 
         function = getattr(glu, name)
     else:

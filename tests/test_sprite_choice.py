@@ -13,9 +13,9 @@ from landscape.elements.best.sprites import sprites_in_view
 from landscape.elements.best.sprites.choice import LaidOut, choose
 from landscape.elements.best.sprites.refined_planting import TintedSprites
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
+from landscape.elements.settings import Settings
 from landscape.frame import FULL, Detail, Pose
-from landscape.keys import with_settings
-from landscape.settings import Settings
+from landscape.settings.declare import with_settings
 
 
 @pytest.fixture(scope="module")

@@ -33,12 +33,12 @@ from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.sprites.rules import clearness, farthest, radii
 from landscape.elements.best.sprites.slope_billboards import leaning, slope_axes
 from landscape.elements.planting import PLANT, THICK
+from landscape.elements.settings import Settings
 from landscape.elements.transparent_elements import TransparentElements, crossed_quads
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.obstacles import RADIUS
-from landscape.keys import with_settings
-from landscape.settings import Settings
+from landscape.settings.declare import with_settings
 
 
 @pytest.fixture(scope="module")

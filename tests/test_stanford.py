@@ -17,8 +17,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from landscape.errors import InputError
-from landscape.files import output, stanford
+from framelens.base import output
+from framelens.base.errors import InputError
+from landscape.files import stanford
 from landscape.files.meshes import parse_ply
 
 VERTICES = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -0.25)]

@@ -10,17 +10,10 @@ from commands import environment, need_library, python
 from state_calls import CHANGES, Expected, Fresh, scrambled
 from test_backends import screen  # noqa: F401
 
-from landscape.capture.state import (
-    DEFAULTS,
-    StateError,
-    changed,
-    difference,
-    read,
-    restore,
-)
-from landscape.gl.calls import gl, recording
-from landscape.gl.framebuffer import Framebuffer
-from landscape.gl.raw import raw
+from framelens.gl.framebuffer import Framebuffer
+from framelens.gl.raw import raw
+from framelens.gl.seam import gl, recording
+from framelens.state.state import DEFAULTS, StateError, changed, difference, read, restore
 
 # What depends on the window and on the OpenGL.
 WINDOW = {"GL_VIEWPORT", "GL_SCISSOR_BOX", "GL_DRAW_BUFFER", "GL_READ_BUFFER", "GL_POINT_SIZE_MAX"}
@@ -36,10 +29,10 @@ NOT_IN_CHANGES = re.compile(
 # Opens a backend, reads the state, and prints what differs from the initial state.
 FRESH = """
 import json, sys
-from landscape.capture.state import DEFAULTS, difference, read
-from landscape.gl.context import open_context
-from landscape.gl.contexts.glfw import GLFWContext
-from landscape.gl.raw import raw
+from framelens.state.state import DEFAULTS, difference, read
+from framelens.gl.context import open_context
+from framelens.gl.contexts.glfw import GLFWContext
+from framelens.gl.raw import raw
 
 if sys.argv[1] == "bare":
     import glfw
@@ -74,10 +67,10 @@ def test_a_fresh_context_has_the_initial_values_of_the_specification(
 
 
 RESTORED = """
-from landscape.capture.state import changed, difference, read, restore
-from landscape.gl.calls import gl
-from landscape.gl.context import open_context
-from landscape.gl.raw import raw
+from framelens.state.state import changed, difference, read, restore
+from framelens.gl.seam import gl
+from framelens.gl.context import open_context
+from framelens.gl.raw import raw
 
 context = open_context("auto")
 initial = read()
@@ -116,8 +109,8 @@ glfw.window_hint(glfw.CONTEXT_VERSION_MINOR, 3)
 glfw.window_hint(glfw.OPENGL_PROFILE, glfw.OPENGL_CORE_PROFILE)
 window = glfw.create_window(16, 16, "", None, None)
 glfw.make_context_current(window)
-from landscape.capture.state import StateError, read
-from landscape.gl.raw import raw
+from framelens.state.state import StateError, read
+from framelens.gl.raw import raw
 
 try:
     read()
@@ -221,7 +214,7 @@ def test_reading_changes_nothing_fetches_no_error_and_is_not_recorded(fresh: Fre
 def test_the_state_is_read_in_a_few_milliseconds(fresh: Fresh) -> None:
     """As the number of calls, which no other load on the machine changes."""
     fresh()
-    from landscape.capture import state_reading
+    from framelens.state import state_reading
 
     todo = state_reading.plan()
     queries = sum(map(len, todo.steps.values())) + sum(map(len, todo.flags.values()))

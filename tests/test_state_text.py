@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from state_calls import CHANGES, Fresh, scrambled
 
-from landscape.capture.state import difference, read, restore
-from landscape.capture.state_text import as_json, as_text, difference_as_text
-from landscape.gl.calls import gl
+from framelens.gl.seam import gl
+from framelens.state.state import difference, read, restore
+from framelens.state.state_text import as_json, as_text, difference_as_text
 
 
 def test_json_has_the_fewest_digits_and_restores_the_state(fresh: Fresh) -> None:

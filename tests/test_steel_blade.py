@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from stage import Stage, small
 
-from landscape.elements.best.overlay.shining_sword import TAN, blade, steel
-from landscape.elements.best.overlay.steel_blade import (
+from framelens.gl import extensions
+from landscape.elements.best.sword.shining_sword import TAN, blade, steel
+from landscape.elements.best.sword.steel_blade import (
     BARE,
     FULLER,
     ROOT,
@@ -27,8 +28,7 @@ from landscape.elements.sword import ASPECT, pictures
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 BEST = small({"overlay.sheen": 0.5, "overlay.blade": True})
 

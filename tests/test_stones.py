@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from stage import SIZE, Stage, close, small, write_ply
 
+from framelens.base.errors import InputError
 from landscape.elements.best.stones import wanted
 from landscape.elements.best.stones.bodies import FOOT
 from landscape.elements.best.stones.scattering import rules
@@ -16,15 +17,14 @@ from landscape.elements.best.stones.shapes import CRAG, KINDS, LOG, PEBBLE, firs
 from landscape.elements.best.stones.stones import Stones
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.terrain import Terrain
+from landscape.elements.settings import Settings, preset
 from landscape.elements.sun import direction
-from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.mesh import is_closed
 from landscape.geometry.obstacle_grid import ObstacleGrid
-from landscape.island import Island
-from landscape.scene import Moment
-from landscape.settings import Settings, preset
+from landscape.island.island import Island
+from landscape.scene.scene import Moment
 
 STONY: dict[str, Any] = {
     "ground.materials": True,

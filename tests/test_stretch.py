@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 from stage import SIZE, SMALL, SMALL_BEST, Stage
 
+from framelens.gl.seam import gl
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.frame import Detail, scaled
-from landscape.gl.calls import gl
-from landscape.island import Island
-from landscape.keys import with_settings
-from landscape.scene import Moment, find_view, placed
-from landscape.settings import preset
-from landscape.window.pace import STANDING, WALKING
-from landscape.window.stretch import Stretch, phase_shift, phases, stipple
+from landscape.island.island import Island
+from landscape.scene.scene import Moment, find_view, placed
+from landscape.settings.declare import with_settings
+from landscape.walk.pace import STANDING, WALKING
+from landscape.walk.stretch import Stretch, phase_shift, phases, stipple
 
 
 @pytest.fixture

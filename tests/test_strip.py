@@ -14,18 +14,18 @@ from commands import Shell, landscape, need_library, refused
 from PIL import Image
 from stage import SMALL_BEST, Stage
 
-from landscape.capture import state
-from landscape.capture.buffers import Buffers
-from landscape.capture.pixel import history
-from landscape.capture.strip import BUFFERS, Shot, groups, shots, survey
-from landscape.capture.tape import Tape
-from landscape.errors import InputError
-from landscape.gl.calls import begin_pass, drawing, gl, recording, unnoted
-from landscape.gl.framebuffer import read_pixels
-from landscape.render import Offscreen
-from landscape.tools.strip import Request, checked_out, make
-from landscape.tools.strip_pictures import LAYERS, Tones, stencil_color
-from landscape.tools.target import Target
+from framelens.base.errors import InputError
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.seam import begin_pass, drawing, gl, recording, unnoted
+from framelens.report.strip import Request, checked_out, make
+from framelens.report.strip_pictures import LAYERS, Tones, stencil_color
+from framelens.state import state
+from framelens.tape.buffers import Buffers
+from framelens.tape.pixel import history
+from framelens.tape.strip import BUFFERS, Shot, groups, shots, survey
+from framelens.tape.tape import Tape
+from landscape.commands.target import ViewFrame
+from landscape.offscreen import Offscreen
 
 SIZE = (160, 120)
 
@@ -305,7 +305,7 @@ def test_a_quad_of_a_display_list_is_split_as_it_was(taped: Callable[[Taped], Ta
         gl.glDeleteLists(names[0], 1)
 
 
-SMALL = Target("fig35e", SIZE, preset="2006", only=("ground", "sky", "trees"))
+SMALL = ViewFrame("fig35e", SIZE, preset="2006", only=("ground", "sky", "trees"))
 
 
 def test_a_sheet_an_animation_and_a_page_show_every_step(tmp_path: Path) -> None:
@@ -376,7 +376,7 @@ def test_outputs_that_cannot_be_written_are_refused(tmp_path: Path, name: str, w
 def test_more_pictures_than_a_sheet_can_show_are_refused_in_one_line(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("landscape.tools.strip.MOST", {".png": 3, ".gif": 5, ".html": 5})
+    monkeypatch.setattr("framelens.report.strip.MOST", {".png": 3, ".gif": 5, ".html": 5})
     with pytest.raises(InputError, match=r"4 pictures .* --out FILE\.gif or --out FILE\.html"):
         make(SMALL, Request(), tmp_path / "a.png")
     with pytest.raises(InputError, match=r"8 pictures .* fewer --buffers"):

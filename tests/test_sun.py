@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from stage import Stage, close, quad, small
 
+from framelens.gl.seam import gl
+from landscape.elements.settings import Shading, Sun
 from landscape.elements.sun import direction, lit
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.settings import Shading, Sun
 
 
 @pytest.mark.parametrize(

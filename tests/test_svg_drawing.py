@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files import svg_drawing
 from landscape.files.svg_environment import read
 

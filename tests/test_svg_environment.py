@@ -12,7 +12,7 @@ import pytest
 from environments import embedded, image, layer, path, png, svg, written
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.svg_environment import read
 
 LINE = "M 10,20 L 40,50"

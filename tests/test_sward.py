@@ -10,6 +10,8 @@ from PIL import Image
 from sprite_stage import looking
 from stage import Stage
 
+from framelens.gl.framebuffer import Framebuffer
+from framelens.gl.seam import gl
 from landscape.elements.best.meadow.gusts import BEND, LENGTH, SPEED, WAY, gusts
 from landscape.elements.best.meadow.meadow import Meadow, cut_out
 from landscape.elements.best.meadow.sward import (
@@ -29,8 +31,6 @@ from landscape.elements.best.meadow.sward import (
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.gl.framebuffer import Framebuffer
 
 NORTH = Pose(10.0, 3.1, 10.0)
 SWARD: dict[str, Any] = {

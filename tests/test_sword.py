@@ -7,11 +7,11 @@ import pytest
 from PIL import Image
 from stage import PLAIN, Stage, close, small
 
+from framelens.gl.seam import gl
+from landscape.elements.settings import preset
 from landscape.elements.sword import ASPECT, STROKES, Sword, bob
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.settings import preset
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
 POSE = Pose(20.0, 1.0, 20.0, 33.0, -20.0)

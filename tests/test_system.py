@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from landscape import system
-from landscape.errors import InputError
-from landscape.files import input as module
-from landscape.files.input import read_bounded
-from landscape.files.output import write_whole
+from framelens import system
+from framelens.base import input as module
+from framelens.base.errors import InputError
+from framelens.base.input import read_bounded
+from framelens.base.output import write_whole
 
 
 @pytest.fixture

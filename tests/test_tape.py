@@ -7,14 +7,14 @@ import pytest
 from commands import landscape
 from stage import SMALL_BEST
 
-from landscape.capture.effects import effects, watch
-from landscape.capture.steps import find, issue, repeatable
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.seam import make_again, recording, unnoted
+from framelens.tape.effects import effects, watch
+from framelens.tape.steps import find, issue, repeatable
+from landscape.commands.target import ViewFrame
 from landscape.gallery.compare import difference
-from landscape.gl.calls import make_again, recording, unnoted
-from landscape.gl.framebuffer import read_pixels
-from landscape.render import Offscreen
-from landscape.tools.target import Target
+from landscape.offscreen import Offscreen
 
 SIZE = (160, 120)
 
@@ -57,14 +57,14 @@ def test_calls_made_again_are_listed_once_and_their_effects_are_seen_on_the_way(
 
 
 def test_the_tape_has_the_picture_that_is_rendered() -> None:
-    wanted = Target("fig35e", SIZE, preset="2006").look(lambda tape: read_pixels(SIZE))
+    wanted = ViewFrame("fig35e", SIZE, preset="2006").look(lambda tape: read_pixels(SIZE))
     with Offscreen(SIZE, "2006", samples=0) as offscreen:
         offscreen.look("fig35e")
         assert np.array_equal(offscreen.draw(), wanted)
 
 
 def test_a_call_that_does_not_exist_is_refused_in_one_line_with_those_there_are() -> None:
-    calls = Target("fig35a", SIZE, preset="2006", only=("sky",)).look(lambda tape: tape.calls)
+    calls = ViewFrame("fig35a", SIZE, preset="2006", only=("sky",)).look(lambda tape: tape.calls)
     last = len(calls) - 1
     for place, said in {
         "99999": f"the frame has {len(calls)} calls, expected 0 to {last}",

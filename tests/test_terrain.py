@@ -8,6 +8,7 @@ import pytest
 from PIL import Image
 from stage import Stage, close, small
 
+from framelens.gl.seam import lists_now, recording
 from landscape.elements.best.terrain import terrain
 from landscape.elements.best.terrain.materials import (
     ROCK,
@@ -27,8 +28,7 @@ from landscape.frame import Pose
 from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.height_field import HeightField, ground_mesh
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import lists_now, recording
-from landscape.keys import with_settings
+from landscape.settings.declare import with_settings
 
 SUN = np.array([0.0, 1.0, 0.0], np.float32)
 

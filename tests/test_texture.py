@@ -6,11 +6,11 @@ import pytest
 from PIL import Image
 from stage import Stage, close, live_names, quad, small
 
+from framelens.gl.seam import gl, recording
+from framelens.gl.state import attrib
+from framelens.gl.texture import Texture, halves_evenly, mip_levels
 from landscape.files.images import mip_chain, read_image
 from landscape.frame import Pose
-from landscape.gl.calls import gl, recording
-from landscape.gl.state import attrib
-from landscape.gl.texture import Texture, halves_evenly, mip_levels
 
 SCREEN = np.array([(-4.0, -3.0, -5.196), (4, -3, -5.196), (4, 3, -5.196), (-4, 3, -5.196)])
 """The quad that fills the 4:3 target at a field of view of 60 degrees."""

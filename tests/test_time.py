@@ -9,22 +9,22 @@ import pytest
 from commands import landscape
 from stage import SIZE, Stage, small
 
-from landscape.elements.best.ornate.baked_light import light
+from framelens.base.errors import InputError
+from landscape.elements.best.castle.baked_light import light
 from landscape.elements.best.sky.clouds import cloud_light
 from landscape.elements.best.sprites.relighting import corner_light
 from landscape.elements.best.terrain.relief import relief_light
 from landscape.elements.castle_fire import TORCHES
+from landscape.elements.settings import PRESETS, TIMES, Settings, preset
 from landscape.elements.sun import direction
-from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.masonry import WALL
-from landscape.island import SCENE, Island
-from landscape.keys import get, passing, read_toml, with_settings
-from landscape.render import Offscreen
-from landscape.scene import Moment
-from landscape.settings import PRESETS, TIMES, Settings, preset
+from landscape.island.island import SCENE, Island
+from landscape.offscreen import Offscreen
+from landscape.scene.scene import Moment
+from landscape.settings.declare import get, passing, read_toml, with_settings
 
 SUNSET = TIMES["sunset"]
 

@@ -27,6 +27,7 @@ from stage import Stage, close, pixel, project, small
 from landscape.elements.atlas import CELL, GUTTER, cell_coordinates, laid_out
 from landscape.elements.best.sprites import wanted
 from landscape.elements.planting import PLANT
+from landscape.elements.settings import preset
 from landscape.elements.transparent_elements import (
     CROSS,
     TransparentElements,
@@ -37,7 +38,6 @@ from landscape.elements.transparent_elements import (
 )
 from landscape.frame import Pose
 from landscape.geometry.wind import sway
-from landscape.settings import preset
 
 
 def test_the_sway_is_the_reports_at_a_place_and_time_computed_by_hand() -> None:

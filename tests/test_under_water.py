@@ -13,13 +13,13 @@ from landscape.elements.best.sea.under_water import (
     mirrored_lines,
     refracted,
 )
+from landscape.elements.settings import PRESETS, Settings
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.island import Island, terrain
-from landscape.keys import with_settings
-from landscape.scene import Moment, find_view
-from landscape.settings import PRESETS, Settings
-from landscape.window.walker import Intent, advance, start
+from landscape.island.island import Island, terrain
+from landscape.scene.scene import Moment, find_view
+from landscape.settings.declare import with_settings
+from landscape.walk.walker import Intent, advance, start
 
 UNDER = find_view("under_water")[1].pose
 SHOWN = ("ground", "water", "dragon", "fog")

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.texture import mip_levels
 from landscape.elements.best.terrain.cloud_shade import cloud_cover, cloud_light, clouds_shade
 from landscape.elements.best.terrain.verdure import grained, verdant
+from landscape.elements.settings import preset
 from landscape.geometry.height_field import HeightField
-from landscape.gl.texture import mip_levels
-from landscape.settings import preset
 
 GRASS, SAND = (95, 110, 75), (210, 194, 157)
 HIGH = HeightField(np.full((9, 9), 2.0, np.float32), 40.0, 0.6)

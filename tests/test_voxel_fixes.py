@@ -8,8 +8,8 @@ import pytest
 from stage import SIZE, Stage
 
 from landscape.files.assets import Assets
-from landscape.keys import with_settings
-from landscape.scene import Moment, find_view, placed
+from landscape.scene.scene import Moment, find_view, placed
+from landscape.settings.declare import with_settings
 from landscape.voxel.safeguard import Safeguard
 from landscape.voxel.safeguards import SAFEGUARDS
 from landscape.voxel.voxel import SCENE, Voxel

@@ -7,12 +7,12 @@ import pictures
 import pytest
 from stage import Stage
 
+from framelens.gl.framebuffer import Framebuffer, read_pixels
+from framelens.gl.seam import gl
 from landscape.files.assets import Assets
 from landscape.gallery.compare import agree
-from landscape.gl.calls import gl
-from landscape.gl.framebuffer import Framebuffer, read_pixels
-from landscape.keys import with_settings
-from landscape.scene import Moment, raised
+from landscape.scene.scene import Moment, raised
+from landscape.settings.declare import with_settings
 from landscape.voxel.voxel import SCENE, Voxel
 
 pytestmark = pytest.mark.golden

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from landscape.gl.cube_map import face_directions
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.highlights import GLOSS, NORMALS, SHARP, TEXELS, glossy, sun_faces
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.frame import Pose
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 from landscape.voxel.blocks import AIR, block
 from landscape.voxel.horizon import ALONG, ROWS, Horizon, solid_heights
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.gl.calls import recording
-from landscape.render import Offscreen
-from landscape.settings import Sun
+from framelens.gl.seam import recording
+from landscape.elements.settings import Sun
+from landscape.offscreen import Offscreen
 from landscape.voxel.blocks import block
 from landscape.voxel.build import look, meshed, slope_light
 from landscape.voxel.heights import Heights

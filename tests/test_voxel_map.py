@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from landscape.files.assets import Assets
-from landscape.keys import with_settings
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
+from landscape.settings.declare import with_settings
 from landscape.voxel import map
 from landscape.voxel.blocks import block
 from landscape.voxel.map import DEPTHS, GAP, PART, map_picture

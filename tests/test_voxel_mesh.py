@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from landscape.gl.texture import mip_levels
+from framelens.gl.texture import mip_levels
 from landscape.voxel import distant, faces
 from landscape.voxel.blocks import AIR, BLOCKS, SOLID, TILES, block
 from landscape.voxel.distant import distant_mesh, distant_meshes, halved

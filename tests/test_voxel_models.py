@@ -5,7 +5,7 @@ from collections import deque
 import numpy as np
 import pytest
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.assets import shipped
 from landscape.voxel.blocks import BLOCKS, SOLID, block
 from landscape.voxel.landmarks import grow

@@ -17,9 +17,9 @@ import pytest
 from commands import environment, landscape, need_library, python, refused
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.geometry.bodies import Body, Wish
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 from landscape.voxel.blocks import AIR, SOLID, block
 from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, RISE, UPWARDS, Place, moved
 from landscape.voxel.mesh import (
@@ -454,7 +454,7 @@ def test_a_file_that_is_no_world_of_this_land_is_refused(data: bytes, said: str)
 SAVING = """
 import sys
 from pathlib import Path
-from landscape.window.builder import WorldFile
+from landscape.walk.builder import WorldFile
 
 class Scene:
     changes = slot = count = 0
@@ -523,11 +523,11 @@ from pathlib import Path
 import glfw
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.scene import scene
-from landscape.window.app import Walk
-from landscape.window.builder import WorldFile
-from landscape.window.loop import run
-from landscape.window.recording import Plan, Writer, read
+from landscape.scene.scene import scene
+from landscape.walk.app import Walk
+from landscape.walk.builder import WorldFile
+from landscape.walk.loop import run
+from landscape.walk.recording import Plan, Writer, read
 
 LEFT, RIGHT, MIDDLE = range(3)
 kind = scene("voxel")
@@ -563,7 +563,7 @@ live.seen, live.script = [], {
     23: [lambda walk: walk.hands.wheel(1.0)], 24: [click(MIDDLE)], 26: [key(glfw.KEY_TAB)],
     28: [key(glfw.KEY_E)], 30: [button(LEFT)], 38: [button(LEFT, False)],
 }
-import landscape.window.app as app
+import landscape.walk.app as app
 app.time.sleep = lambda seconds: None
 writer = Writer(path, plan)
 clock = iter(range(10**6))

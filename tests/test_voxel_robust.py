@@ -9,13 +9,13 @@ from drivers import KNOWN
 from gl_state import changes, snapshot
 from stage import Stage
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.gl import extensions
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl import extensions
-from landscape.keys import with_settings
-from landscape.render import Offscreen
-from landscape.scene import Moment
+from landscape.offscreen import Offscreen
+from landscape.scene.scene import Moment
+from landscape.settings.declare import with_settings
 from landscape.voxel import build, region_buffer
 from landscape.voxel.blocks import AIR, block
 from landscape.voxel.build import source

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from landscape.elements import sun
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 from landscape.voxel.blocks import SOLID
 from landscape.voxel.shadow_map import FRAMES
 from landscape.voxel.sun_view import light_axes, light_matrix

@@ -8,11 +8,11 @@ import pytest
 from gl_state import changes, snapshot
 from stage import SIZE, Stage, live_names
 
+from framelens.gl.seam import gl, recording
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl, recording
-from landscape.keys import with_settings
-from landscape.scene import Moment, begin_frame
+from landscape.scene.scene import Moment, begin_frame
+from landscape.settings.declare import with_settings
 from landscape.voxel.settings import PICTURES
 from landscape.voxel.views import ELEMENTS
 from landscape.voxel.voxel import SCENE, Voxel

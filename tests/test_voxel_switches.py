@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from test_voxel_water import PLAIN, SEA_POSE, SIZE, SMALL, read_target
 
-from landscape.gl.calls import recording
-from landscape.keys import with_settings
-from landscape.render import Offscreen
+from framelens.gl.seam import recording
+from landscape.offscreen import Offscreen
+from landscape.settings.declare import with_settings
 from landscape.voxel.fresnel import fresnel_faces
 from landscape.voxel.settings import PICTURES
 

@@ -6,20 +6,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.gl.texture import mip_levels
 from landscape.files.assets import Assets
-from landscape.gl.texture import mip_levels
-from landscape.tools.asset_measures import seams
+from landscape.studio.asset_measures import seams
 from landscape.voxel.blocks import BLOCKS, HOLED, PLANT_TILES, TILES
-from landscape.voxel.tiles import (
-    FILE,
-    PLANTS_FILE,
-    RIPPLES_FILE,
-    SIDE,
-    plants,
-    ripples,
-    tiles,
-)
+from landscape.voxel.tiles import FILE, PLANTS_FILE, RIPPLES_FILE, SIDE, plants, ripples, tiles
 
 SIDES = ("grass_side", "turf_side", "snow_side")
 # Those with a frame around each block.

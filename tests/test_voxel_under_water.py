@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from test_voxel_water import PLAIN, SIZE, SMALL, cube_of, fill, rays, read_target
 
-from landscape.gl.calls import recording
-from landscape.render import Offscreen
+from framelens.gl.seam import recording
+from landscape.offscreen import Offscreen
 from landscape.voxel.fresnel import reflectance, reflectance_beneath
 from landscape.voxel.under_water import murk, sight
 

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, matrix
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 from landscape.voxel.horizon import CLEAR
 from landscape.voxel.land import DISTANT, Choice, Land
 from landscape.voxel.mesh import PLANTS

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from framelens.gl.seam import gl
 from landscape.frame import Frame, Pose
-from landscape.gl.calls import gl
-from landscape.render import Offscreen
+from landscape.offscreen import Offscreen
 from landscape.voxel.fresnel import fresnel_faces, reflectance
 from landscape.voxel.water import steepened
 from landscape.voxel.water_grid import (

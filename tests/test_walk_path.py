@@ -8,12 +8,12 @@ import pytest
 from commands import environment, landscape, python
 from environments import ROUND, image, layer, path, svg, written
 
+from landscape.elements.settings import Settings
 from landscape.flyover.environment import Environment
 from landscape.geometry.obstacles import Tower
-from landscape.settings import Settings
-from landscape.window.course import Course
-from landscape.window.recording import Tick
-from landscape.window.walker import Intent, Walker
+from landscape.walk.course import Course
+from landscape.walk.recording import Tick
+from landscape.walk.walker import Intent, Walker
 
 EAST = np.array([[(16, 32), (26, 32), (36, 32), (48, 32)]], np.float64)
 
@@ -79,12 +79,12 @@ import json, sys
 from pathlib import Path
 from landscape.files.assets import Assets
 from landscape.flyover.environment import open_environment
-from landscape.scene import find_view
-from landscape.window.app import Walk
-from landscape.window.course import Course
-from landscape.window.loop import run
-from landscape.window.recording import Plan, Tick
-from landscape.window.walker import Intent
+from landscape.scene.scene import find_view
+from landscape.walk.app import Walk
+from landscape.walk.course import Course
+from landscape.walk.loop import run
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent
 
 kind, view = find_view("fig35a")
 values = kind.values("2006", {"ground.resolution": 40})

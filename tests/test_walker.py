@@ -11,13 +11,13 @@ from commands import SECONDS
 
 from landscape.elements.dragon import dragon_obstacles
 from landscape.elements.rabbit import rabbit_obstacles
+from landscape.elements.settings import Castle, Dragon, Rabbit, Settings
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.masonry import FOOT, MERLON, TOWER_RADIUS, TOWER_TOP, WALL, walls_mesh
 from landscape.geometry.obstacles import Obstacle, courtyard
-from landscape.keys import with_settings
-from landscape.settings import Castle, Dragon, Rabbit, Settings
-from landscape.window.walker import (
+from landscape.settings.declare import with_settings
+from landscape.walk.walker import (
     AFLOAT,
     FALL,
     FLOOR,
@@ -361,7 +361,7 @@ def test_a_stroke_is_not_restarted_while_it_runs():
 
 def test_the_walker_needs_no_opengl():
     code = (
-        "import sys, landscape.window.walker;"
+        "import sys, landscape.walk.walker;"
         "sys.exit('OpenGL' in sys.modules or 'glfw' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], timeout=SECONDS).returncode == 0

@@ -7,30 +7,30 @@ import pytest
 from castles import FLAT, GATE, PLACED, at, drawn
 from stage import Stage, pixel, project, small
 
-from landscape.elements.best.ornate import ornate_castle, weathering
-from landscape.elements.best.ornate.blocks import Blocks, add_frames, add_quoins, add_steps
-from landscape.elements.best.ornate.doorway import LONG, WIDE, hall, light
-from landscape.elements.best.ornate.footing import ground_marks, outside_of_walls, ring, rubble
-from landscape.elements.best.ornate.grain import grain
-from landscape.elements.best.ornate.growth import leaves
-from landscape.elements.best.ornate.loopholes import openings
-from landscape.elements.best.ornate.ornate_masonry import GATE as FREE
-from landscape.elements.best.ornate.ornate_masonry import KEEP, PLINTH, ornate_masonry
-from landscape.elements.best.ornate.slates import slate_roofs
-from landscape.elements.best.ornate.torch_glow import disc, flicker, lit_patch
-from landscape.elements.best.ornate.weathered_castle import (
+from framelens.gl.seam import gl, recording
+from framelens.gl.texture import mip_levels
+from landscape.elements.best.castle import ornate_castle, weathering
+from landscape.elements.best.castle.blocks import Blocks, add_frames, add_quoins, add_steps
+from landscape.elements.best.castle.doorway import LONG, WIDE, hall, light
+from landscape.elements.best.castle.footing import ground_marks, outside_of_walls, ring, rubble
+from landscape.elements.best.castle.grain import grain
+from landscape.elements.best.castle.growth import leaves
+from landscape.elements.best.castle.loopholes import openings
+from landscape.elements.best.castle.ornate_masonry import GATE as FREE
+from landscape.elements.best.castle.ornate_masonry import KEEP, PLINTH, ornate_masonry
+from landscape.elements.best.castle.slates import slate_roofs
+from landscape.elements.best.castle.torch_glow import disc, flicker, lit_patch
+from landscape.elements.best.castle.weathered_castle import (
     WeatheredCastle,
     castle_class,
     opening_colours,
 )
 from landscape.elements.castle_fire import FLAME_Z, TORCHES
+from landscape.elements.settings import Sun
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import gl, recording
-from landscape.gl.texture import mip_levels
-from landscape.settings import Sun
 
 SUN = Sun(azimuth=0.0, elevation=40.0)  # from the north, where the gate looks with yaw 0
 

@@ -5,17 +5,17 @@ import pytest
 from animals import LIT, made
 from stage import Stage, close, pixel, small, write_ply
 
+from framelens.gl import extensions
 from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.wet_sheen import HEAD_ON, mirrored_part
 from landscape.elements.best.sky.surroundings import face_of, sea_colour, surroundings
+from landscape.elements.settings import Sun
 from landscape.elements.sky_box import FACES, face_corners
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
 from landscape.geometry.mesh import Mesh
-from landscape.gl import extensions
 from landscape.gl.cube_map import face_directions
-from landscape.settings import Sun
 
 # A plate across the line of sight.
 PLATE = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)

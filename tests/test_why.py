@@ -9,16 +9,16 @@ from pathlib import Path
 import pytest
 from broken_programs import BROKEN
 
-from landscape.languages import LANGUAGES
-from landscape.why.findings import CAUSES, IDS, WORDS
+from framelens.base.texts import LANGUAGES
+from framelens.why.findings import CAUSES, IDS, WORDS
 
 ROOT = Path(__file__).resolve().parents[1]
 CHILD = """
 import json, sys
-from landscape.tools.target import Target
-from landscape.tools.why import find
+from framelens.program.program_frame import ProgramFrame
+from framelens.report.why_report import find
 path, frame, pixel = json.loads(sys.argv[1])
-found = find(Target(path, frame=frame), tuple(pixel) if pixel else None, limit=60.0)
+found = find(ProgramFrame(path, frame=frame), tuple(pixel) if pixel else None, limit=60.0)
 print(json.dumps(found.as_json("en"), default=str))
 """
 

@@ -19,12 +19,12 @@ ROOT = Path(__file__).resolve().parents[1]
 PROGRAMS = sorted(Path(__file__).with_name("student_programs").glob("*.txt"))
 CHILD = """
 import json, sys
-from landscape.tools.target import Target
-from landscape.tools.why import find
+from framelens.program.program_frame import ProgramFrame
+from framelens.report.why_report import find
 frame, pixels, *paths = json.loads(sys.argv[1])
 for path in paths:
     for pixel in pixels:
-        found = find(Target(path, frame=frame), tuple(pixel) if pixel else None, limit=60.0)
+        found = find(ProgramFrame(path, frame=frame), tuple(pixel) if pixel else None, limit=60.0)
         print(json.dumps(found.as_json("en"), default=str))
 """
 

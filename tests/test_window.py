@@ -24,15 +24,15 @@ from commands import SECONDS, TESTS, end, environment, landscape, need_library, 
 from PIL import Image
 from stage import SMALL_BEST
 
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights
 from landscape.frame import Pose
 from landscape.geometry.height_field import height_field
-from landscape.keys import with_settings
-from landscape.settings import preset
-from landscape.window import recording
-from landscape.window.recording import Plan, Tick
-from landscape.window.walker import Intent, Walker, advance, start
+from landscape.settings.declare import with_settings
+from landscape.walk import recording
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent, Walker, advance, start
 
 pytestmark = pytest.mark.window
 
@@ -47,14 +47,14 @@ SCRIPTED = """
 import hashlib, json, sys, time
 from pathlib import Path
 import glfw
-from landscape.window.app import Walk
-from landscape.window.loop import run
+from landscape.walk.app import Walk
+from landscape.walk.loop import run
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.gl.calls import gl
-from landscape.window.recording import Plan, Writer, read
-from landscape.settings import preset
-from landscape.keys import with_settings
+from framelens.gl.seam import gl
+from landscape.walk.recording import Plan, Writer, read
+from landscape.elements.settings import preset
+from landscape.settings.declare import with_settings
 sys.path.insert(0, sys.argv[3])
 from watching import colours
 
@@ -222,15 +222,15 @@ def test_settings_changed_in_the_list_are_recorded_by_their_values(scripted) -> 
 
 STILLS = """
 import hashlib, json, sys
-from landscape.window.app import Walk
-from landscape.window.loop import run
+from landscape.walk.app import Walk
+from landscape.walk.loop import run
 from landscape.files.assets import Assets
-from landscape.fixes import FIXES
+from landscape.island.fixes import FIXES
 from landscape.frame import Pose
-from landscape.window.recording import Plan, Tick
-from landscape.settings import preset
-from landscape.keys import with_settings
-from landscape.window.walker import Intent, start
+from landscape.walk.recording import Plan, Tick
+from landscape.elements.settings import preset
+from landscape.settings.declare import with_settings
+from landscape.walk.walker import Intent, start
 
 values = with_settings(preset("best"), json.loads(sys.argv[1]))
 plan = Plan("island", values, "", Pose(8.0, 1.0, 33.5, 25.0), (160, 120))
@@ -282,13 +282,13 @@ def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
 
 HEARD = """
 import json
-from landscape.window.app import Walk
+from landscape.walk.app import Walk
 from landscape.files.assets import Assets
 from landscape.frame import Pose
-from landscape.window.recording import Plan, Tick
-from landscape.settings import Settings
-from landscape.keys import with_settings
-from landscape.window.walker import Intent
+from landscape.walk.recording import Plan, Tick
+from landscape.elements.settings import Settings
+from landscape.settings.declare import with_settings
+from landscape.walk.walker import Intent
 
 said = []
 class Heard(Walk):
@@ -418,10 +418,10 @@ def test_a_walk_begins_where_and_as_the_command_line_says(
 
 FIXED = """
 from landscape.files.assets import Assets
-from landscape.scene import find_view
-from landscape.window.app import Walk
-from landscape.window.recording import Plan, Tick
-from landscape.window.walker import Intent
+from landscape.scene.scene import find_view
+from landscape.walk.app import Walk
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent
 
 kind, view = find_view("R14")
 values = kind.values("2006", view.settings)

@@ -22,7 +22,7 @@ CGL = f"""
 import sys
 sys.path.insert(0, {str(TESTS)!r})
 import fake_cgl, glfw
-from landscape.capture import program_context
+from framelens.program import program_context
 from landscape.cli import main
 fake_cgl.install()
 get_framebuffer_size = glfw.get_framebuffer_size

@@ -13,9 +13,9 @@ from landscape.elements.best.sprites.refined_planting import TintedSprites, plan
 from landscape.elements.best.sprites.woods import SHRUB, drifts_of, species_by_place, woodland
 from landscape.elements.ground import Ground
 from landscape.elements.planting import COURT, PLANT
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
-from landscape.keys import with_settings
-from landscape.settings import preset
+from landscape.settings.declare import with_settings
 
 FERN, OXEYE, WILLOWHERB, MARRAM, HEATHER = range(HERB, HERB + len(HERBS))
 

@@ -100,7 +100,7 @@ class Watch:
         return noted
 
     def opened(self, window: Any) -> None:
-        from landscape.gl.calls import gl
+        from framelens.gl.seam import gl
 
         self.window = window
         self.log.append(["opened", window.toolkit, window.backend, *window.size()])
@@ -114,7 +114,7 @@ class Watch:
     def frame_ended(self, number: int) -> Any:
         import numpy as np
 
-        from landscape.gl.calls import gl
+        from framelens.gl.seam import gl
 
         self.log.append(["ended", number])
         if self.wanted is not None and number != self.wanted and not self.each:
@@ -185,9 +185,9 @@ def prepare(prepared: bool) -> ExitStack:
     """Replace OpenGL's functions once for all programs, if they are all to be ``prepared``."""
     stack = ExitStack()
     if prepared:
-        from landscape.capture import program
-        from landscape.capture.program_context import bind
-        from landscape.capture.program_source import Source
+        from framelens.program import program
+        from framelens.program.program_context import bind
+        from framelens.program.program_source import Source
 
         bind(Source(Path(), compile("", "", "exec"), frozenset(), True), "auto")
         stack.enter_context(program.prepared(lambda name, function: function))
@@ -201,8 +201,8 @@ def answer(asked: dict[str, Any]) -> dict[str, Any]:
 
     before = _process()
 
-    from landscape.capture.program import run
-    from landscape.errors import InputError, NoOpenGLError
+    from framelens.base.errors import InputError, NoOpenGLError
+    from framelens.program.program import run
 
     more = {name: asked.pop(name) for name in ("each", "grids", "file") if name in asked}
     observer = Watch(asked.get("frame"), **more)

@@ -1,7 +1,7 @@
 """The lessons in their order, and what each file says of itself.
 
-A lesson is a file in landscape/lessons. Its docstring is a title and what the program shows; the
-comments after it are tags:
+A lesson is a file in landscape/course/lessons. Its docstring is a title and what the program shows;
+the comments after it are tags:
 
     # topic: transforms
     # needs: transform_order, scale          lessons that it builds on
@@ -21,10 +21,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from landscape.errors import InputError, short
-from landscape.languages import Phrases, Texts
+from framelens.base.errors import InputError, short
+from framelens.base.texts import Phrases, Texts
 
-LESSONS = Path(__file__).resolve().parents[1] / "lessons"
+LESSONS = Path(__file__).resolve().parent / "lessons"
 PROGRAMS = LESSONS / "programs"
 SECTIONS: Phrases = ("What you see", "Why", "Change first", "Ask the class")  # of each page
 

@@ -4,8 +4,8 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from landscape.errors import InputError, NoOpenGLError
-from landscape.languages import Phrases, choose, reworded, translator
+from framelens.base.errors import InputError, NoOpenGLError
+from framelens.base.texts import Phrases, choose, reworded, translator
 
 # Of the course's messages, and of those on files and options that its commands pass on.
 MESSAGES: Phrases = (

@@ -10,19 +10,19 @@ from abc import ABC, abstractmethod
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, front_faces, matrix
+from framelens.gl.texture import Texture
 from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points
+from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.files.meshes import read_mesh
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh, centred, gathered, is_closed, scaled, vertex_normals
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import attrib, front_faces, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 COLOR = (0.6, 0.6, 0.7, 1.0)  # section 7.2
 

@@ -17,9 +17,13 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
+from framelens.gl.texture import Texture
 from landscape.elements.best.terrain.shadows import ShadowMap, cast_outlines, shade_foot
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, draw_fire
 from landscape.elements.castle_gate import draw_gate_in_layers
+from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
@@ -39,12 +43,8 @@ from landscape.geometry.masonry import (
 )
 from landscape.geometry.mesh import Mesh, revolve
 from landscape.geometry.obstacles import Obstacle, courtyard
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import attrib, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
 DOOR = 0.1, 0.36  # of the door's picture: half its width, and its height

@@ -11,8 +11,8 @@ import math
 
 import numpy as np
 
-from landscape.gl.calls import gl
-from landscape.gl.texture import Texture
+from framelens.gl.seam import gl
+from framelens.gl.texture import Texture
 
 TORCHES = (0.27, 0.75)  # section 6.1: 0.27, and 0.48 farther
 FLAME_Z = -0.07  # section 6.1

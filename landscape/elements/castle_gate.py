@@ -10,8 +10,8 @@ State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset, which the cast
 
 import numpy as np
 
-from landscape.gl.calls import gl
-from landscape.gl.texture import Texture
+from framelens.gl.seam import gl
+from framelens.gl.texture import Texture
 
 
 def light_shift(kt: float) -> tuple[float, float]:

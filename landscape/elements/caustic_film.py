@@ -1,22 +1,21 @@
 """The film of caustics: frames of the net of light on the bed of shallow water, one texture each.
 
-The frames are periodic, in space and in time (studio/caustics.py). Shown one after the other they
-jump; so two of them are bound at a time, to two texture units, and a unit mixes them by the alpha
-of its environment colour (GL_INTERPOLATE, OpenGL 1.3). Each texel is both colour and alpha
+The frames are periodic, in space and in time (studio/land/caustics.py). Shown one after the other
+they jump; so two of them are bound at a time, to two texture units, and a unit mixes them by the
+alpha of its environment colour (GL_INTERPOLATE, OpenGL 1.3). Each texel is both colour and alpha
 (GL_INTENSITY): an alpha can be computed beside the colour of the same unit, and so be carried past
-it to the next.
-Drawn by effects/caustics.py in the hall, and by best/terrain/bed_light.py on the island.
-State used: the 2D textures of two units.
+it to the next. Drawn by hall/caustics.py in the hall, and by best/terrain/bed_light.py on the
+island. State used: the 2D textures of two units.
 """
 
 import math
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.texture import Texture
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
-from landscape.gl.calls import gl
-from landscape.gl.texture import Texture
 
 SIDE = 128  # texels of a frame
 SHEET = "caustics.png"

@@ -14,10 +14,10 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.elements.animal import Animal, read_animal
+from landscape.elements.settings import Dragon as DragonSettings
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.geometry.obstacles import Obstacle, Wall
-from landscape.settings import Dragon as DragonSettings
-from landscape.settings import Settings
 
 LONG = (0.85, 0.16)  # chosen, times its scale: half its length along x and half its thickness
 

@@ -13,10 +13,10 @@ State used: GL_FOG and its parameters.
 
 import numpy as np
 
-from landscape.gl.calls import Lists, drawing, gl, lists_now
-from landscape.gl.extensions import current_context
+from framelens.gl.extensions import current_context
+from framelens.gl.seam import Lists, drawing, gl, lists_now
+from landscape.elements.settings import Fog
 from landscape.gl.features import possible
-from landscape.settings import Fog
 
 # Of GL_NV_fog_distance; the last is GL_EYE_PLANE_ABSOLUTE_NV, which OpenGL begins with in Mesa.
 FOG_DISTANCE_MODE = 0x855A

@@ -16,6 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from framelens.base.errors import InputError
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays
+from framelens.gl.texture import Texture
 from landscape.elements.best.meadow import wanted
 from landscape.elements.grass_cells import (
     CELL,
@@ -28,15 +32,11 @@ from landscape.elements.grass_cells import (
     visible_cells,
 )
 from landscape.elements.ground import Ground
-from landscape.errors import InputError
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.wind import sway
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 KEPT = 4  # chosen: cells kept in memory, times those in view, for when the walker turns around
 LEAST = 400  # chosen: the number of cells that are kept in any case

@@ -10,9 +10,9 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from landscape.elements.settings import Castle
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
-from landscape.settings import Castle
 
 CELL = 0.5  # chosen: units per side of a cell; small against the radius, large against a blade
 HALF_DIAGONAL = 0.7072  # of a square, times its side

@@ -21,6 +21,11 @@ from functools import partial
 import numpy as np
 from PIL import Image
 
+from framelens.gl.seam import drawing, drawn_now, gl
+from framelens.gl.state import attrib, use_unit
+from framelens.gl.texture import Texture
+from landscape.elements.settings import Ground as GroundSettings
+from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights, read_image
@@ -34,14 +39,9 @@ from landscape.geometry.height_field import (
     lookup,
 )
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, use_unit
-from landscape.gl.texture import Texture
-from landscape.settings import Ground as GroundSettings
-from landscape.settings import Settings
 
 HEIGHTS = (
     *("height_image", "resolution", "size", "scale_x", "scale_y", "scale_z"),

@@ -8,19 +8,19 @@ State used: viewport, both matrices, GL_BLEND, GL_TEXTURE_2D; depth test and fog
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, flat_projection, point_size
+from framelens.gl.texture import Texture
 from landscape.elements.ground import SHIPPED_HEIGHTS
+from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets, shipped
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.height_colours import chart
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import picture_quad
-from landscape.gl.state import attrib, flat_projection, point_size
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 
 def place_on_map(x: float, z: float, size: float) -> tuple[float, float]:

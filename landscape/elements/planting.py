@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from landscape.elements.settings import Deer, Plants, Settings, Trees
 from landscape.geometry.height_field import HeightField
-from landscape.settings import Deer, Plants, Settings, Trees
 
 KINDS = ("trees", "deer", "plants")
 DEER, PLANT = 4, 6  # the first atlas cell of each kind; trees start at 0

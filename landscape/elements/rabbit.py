@@ -14,12 +14,12 @@ from dataclasses import replace
 import numpy as np
 
 from landscape.elements.animal import Animal, read_animal
+from landscape.elements.settings import Rabbit as RabbitSettings
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle, Tower
-from landscape.settings import Rabbit as RabbitSettings
-from landscape.settings import Settings
 
 SUNK = 0.02  # chosen, times its scale: how far it is sunk, so that no gap shows under it
 ROUND = 0.6  # chosen, times its scale: radius of a circle around haunches and chest

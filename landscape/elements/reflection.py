@@ -16,11 +16,11 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.seam import drawing, drawn_now, gl
+from framelens.gl.state import attrib, matrix
 from landscape.elements import sun
 from landscape.elements.ground import clipped
-from landscape.gl.calls import drawing, drawn_now, gl
-from landscape.gl.state import attrib, matrix
-from landscape.settings import Settings
+from landscape.elements.settings import Settings
 
 MIRROR = np.diag([1.0, -1.0, 1.0, 1.0]).astype(np.float32)  # section 3.1
 

@@ -16,19 +16,19 @@ from pathlib import Path
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
+from framelens.gl.texture import Texture
 from landscape.elements.best.sky.clouds import Clouds
 from landscape.elements.best.sky.seamless import seamless_levels
+from landscape.elements.settings import Settings
 from landscape.elements.unfolded_sky import folded
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
 from landscape.geometry.height_field import mirrored_height
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import attrib, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 NONE = "none"  # the value of sky.unfolded that names no picture
 FACES = ("west", "north", "east", "south", "top")

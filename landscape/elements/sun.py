@@ -15,8 +15,8 @@ import math
 
 import numpy as np
 
-from landscape.gl.calls import drawing, gl
-from landscape.settings import Shading, Sun
+from framelens.gl.seam import drawing, gl
+from landscape.elements.settings import Shading, Sun
 
 SPECULAR = (1.0, 0.95, 0.85)  # chosen: RGB of the sun's highlights
 # Chosen: how sunny a surface is that the sun grazes, and how much sunnier one that faces it. Leaves

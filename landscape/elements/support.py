@@ -1,14 +1,14 @@
 """What the current OpenGL can do of the island's techniques: the others are off, with one line.
 
-What each needs is in gl/features.py. Here the settings are changed accordingly, so that all other
-code only asks the settings.
+What each needs is in framelens/gl/features.py. Here the settings are changed accordingly, so that
+all other code only asks the settings.
 """
 
 from typing import Any
 
+from landscape.elements.settings import Settings
 from landscape.gl.features import possible
-from landscape.keys import get, with_settings
-from landscape.settings import Settings
+from landscape.settings.declare import get, with_settings
 
 # Settings that ask for something, and the value that does not.
 OFF: dict[str, Any] = {

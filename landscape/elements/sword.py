@@ -8,16 +8,16 @@ State used: GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 import math
 from pathlib import Path
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
+from framelens.gl.texture import Texture
+from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import picture_quad
-from landscape.gl.state import attrib, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 STROKES = 4  # section 8.2
 ASPECT = 3 / 2  # chosen: width by height of the pictures; in wider windows they are at the right

@@ -18,19 +18,19 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays
+from framelens.gl.texture import Texture
 from landscape.elements.atlas import CELLS, cell_coordinates, mip_levels, read_cells
 from landscape.elements.best.sprites import wanted
 from landscape.elements.ground import Ground
 from landscape.elements.places_file import RANDOM, read_places
 from landscape.elements.planting import PLANT, Sprites, plant, site
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.frame import Frame
 from landscape.geometry.wind import sway
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 # A billboard's vertices are bottom left, bottom right, top right, top left: two triangles.
 QUAD = np.array([[0, 1, 2, 0, 2, 3]], np.uint32)

@@ -13,16 +13,16 @@ third.
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, matrix
+from framelens.gl.texture import Texture
+from landscape.elements.settings import Settings, Water
 from landscape.elements.sun import lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
-from landscape.gl.calls import gl
 from landscape.gl.draw import level_square
-from landscape.gl.state import attrib, client_arrays, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings, Water
 
 PATCHES = range(-1, 4)  # section 3.2: k from -1 to 3, on both axes
 TWO_PI = 2.0 * np.pi

@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.cache import content
 
 PACKAGE = Path(__file__).resolve().parents[1]

@@ -22,8 +22,8 @@ from typing import Any
 
 import numpy as np
 
-from landscape.errors import InputError
-from landscape.files.output import write_whole
+from framelens.base.errors import InputError
+from framelens.base.output import write_whole
 
 MAGIC = b"landscape cache 2\n"
 NAME_BYTES = 20  # of the hash that names a file

@@ -7,9 +7,9 @@ from typing import BinaryIO
 import numpy as np
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.input import check_plain
 from landscape.files.cache import content, recall
-from landscape.files.input import check_plain
 
 # Those whose pictures are drawn from nothing but their own bytes, by decoders in wide use.
 FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "TGA")

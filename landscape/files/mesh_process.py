@@ -9,7 +9,7 @@ import sys
 import warnings
 from typing import Any
 
-from landscape.system import limits
+from framelens.system import limits
 
 
 def main(path: str, megabytes: int, seconds: int, most_vertices: int, most_triangles: int) -> None:

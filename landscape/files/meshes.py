@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.input import check_plain, read_bounded
 from landscape.files.cache import content, recall
-from landscape.files.input import check_plain, read_bounded
 from landscape.files.other_meshes import MOST_TRIANGLES, MOST_VERTICES, read_by_trimesh
 
 PLY_TYPES = {

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.errors import InputError
-from landscape.files.input import amount
-from landscape.system import limits
+from framelens.base.errors import InputError
+from framelens.base.input import amount
+from framelens.system import limits
 
 MOST_VERTICES = MOST_TRIANGLES = 1_000_000  # chosen: Stanford's largest dragon has 871,414
 MOST_MEGABYTES = 1024  # chosen: of memory

@@ -24,10 +24,10 @@ from pathlib import Path, PurePosixPath
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.output import check_output_folder, check_writable, write_all
+from framelens.base.progress import Progress
 from landscape.files.meshes import parse_ply
-from landscape.files.output import check_output_folder, check_writable, write_all
-from landscape.files.progress import Progress
 
 BASE_URL = "https://graphics.stanford.edu/pub/3Dscanrep"
 TIMEOUT_S = 30.0  # chosen: a server that sends no byte for this long is not going to answer

@@ -16,9 +16,9 @@ from xml.etree import ElementTree
 
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.input import read_bounded
 from landscape.files.images import decoded_image
-from landscape.files.input import read_bounded
 from landscape.files.svg_tree import MOST_BYTES
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -26,7 +26,7 @@ from urllib.parse import unquote
 import numpy as np
 from PIL import Image
 
-from landscape.errors import InputError, short
+from framelens.base.errors import InputError, short
 from landscape.files import svg_drawing
 from landscape.files.images import decoded_image, open_image, red_values
 from landscape.files.svg_tree import SHAPES, Element, read_tree

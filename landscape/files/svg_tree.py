@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.parsers import expat
 
-from landscape.errors import InputError
-from landscape.files.input import read_bounded
+from framelens.base.errors import InputError
+from framelens.base.input import read_bounded
 
 MOST_BYTES = 64 << 20  # chosen: an image of 4096 x 4096 pixels of 16 bits, embedded, takes 45 MB
 MOST_DEPTH = 100  # chosen: groups within groups

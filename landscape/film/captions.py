@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
 
-from landscape.files.fonts import font, writable
+from framelens.base.fonts import font, writable
 
 INK, SHADE = (255, 252, 240), (8, 14, 20)  # chosen: RGB of text and shadow
 COME, GO = 0.7, 0.7  # chosen: seconds in which a caption comes and goes

@@ -14,11 +14,11 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.installation import how_to_add
+from framelens.base.output import Output, check_writable
 from landscape.files.gif import FASTEST, GifFile, palette_of
 from landscape.files.gif import MOST as MOST_OF_GIF
-from landscape.files.installation import how_to_add
-from landscape.files.output import Output, check_writable
 
 ENDINGS = (".mp4", ".webm", ".gif")
 # Codec and options by ending. Chosen: as good as one sees no difference at normal size; `veryfast`

@@ -12,18 +12,18 @@ from typing import Any
 
 import numpy as np
 
-from landscape import keys
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.film.clip import Pictures
 from landscape.film.stage import Stage
 from landscape.frame import Pose
 from landscape.geometry.digging import Diggable
-from landscape.scene import Moment, scene
-from landscape.window.bindings import SETTINGS
-from landscape.window.builder import SWITCHES, Builder
-from landscape.window.place import Place, Places, at_doors
-from landscape.window.recording import Plan, Tick
-from landscape.window.walker import Walker, advance, start
+from landscape.scene.scene import Moment, scene
+from landscape.settings import declare
+from landscape.walk.builder import SWITCHES, Builder
+from landscape.walk.keys import SETTINGS
+from landscape.walk.place import Place, Places, at_doors
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Walker, advance, start
 
 JUMP = 0.5  # chosen: units between two frames of a recording, more than any step: not interpolated
 
@@ -144,9 +144,9 @@ class Replay:
         elif name in ("fix", "next_fix", "previous_fix", "go_to_fix"):
             if place.kind.fixes:
                 return self._fixed(state, name)
-        elif name != "help" and SETTINGS[name] in keys.fields(type(place.settings)):
+        elif name != "help" and SETTINGS[name] in declare.fields(type(place.settings)):
             key = SETTINGS[name]
-            self._apply(place, {key: keys.next_value(place.settings, key)})
+            self._apply(place, {key: declare.next_value(place.settings, key)})
         return state
 
     def _fixed(self, state: State, name: str) -> State:
@@ -156,7 +156,7 @@ class Replay:
         if name == "go_to_fix":
             return replace(state, walker=start(fix.pose(False), place.scene, place.settings))
         if name == "fix":
-            on = keys.with_settings(place.settings, fix.on) == place.settings
+            on = declare.with_settings(place.settings, fix.on) == place.settings
             self._apply(place, fix.off if on else fix.on)
         return state
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.assets import Assets
 from landscape.film.along import Along, Software
 from landscape.film.cut import Film, Part
@@ -16,9 +16,9 @@ from landscape.film.stage import Drawing
 from landscape.film.views import Flight, Look, Still, spans
 from landscape.flyover.environment import NAMES, open_environment
 from landscape.flyover.settings import BEST, PRESETS, Settings
-from landscape.keys import preset, with_settings
-from landscape.scene import SCENES, Scene, View, find_view, placed, scene
-from landscape.window.recording import read
+from landscape.scene.scene import SCENES, Scene, View, find_view, placed, scene
+from landscape.settings.declare import preset, with_settings
+from landscape.walk.recording import read
 
 MOMENT, GLANCE = 5.0, 3.0  # chosen: seconds of a single view, and of one between two cuts
 MOST_FRAMES = 500_000  # chosen: more than four hours

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from landscape.files.assets import Assets
-from landscape.render import Offscreen
-from landscape.scene import SCENES, SEED, Moment, OpenScene, scene
+from landscape.offscreen import Offscreen
+from landscape.scene.scene import SCENES, SEED, Moment, OpenScene, scene
 
 KEPT = 2  # how many scenes are open at once: those of a cross-fade
 

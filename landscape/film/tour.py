@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from framelens.base.texts import Texts, translator
 from landscape.film.along import Software
 from landscape.film.captions import Caption
 from landscape.film.clip import Clip
@@ -16,9 +17,8 @@ from landscape.film.views import Flight, Look
 from landscape.flyover.environment import open_environment
 from landscape.flyover.settings import Settings
 from landscape.frame import Pose
-from landscape.keys import current_names, fields, with_settings
-from landscape.languages import Texts, translator
-from landscape.scene import check_options, scene
+from landscape.scene.scene import check_options, scene
+from landscape.settings.declare import current_names, fields, with_settings
 
 FADE, OPENING, ENDING = 1.2, 1.5, 2.0  # seconds, chosen: between shots, from black, to black
 LINES, FILLED = 5.5, 5.0  # seconds, chosen: of the fly-over as lines, and with its ground

@@ -15,7 +15,7 @@ from landscape.film.stage import Stage
 from landscape.frame import Pose
 from landscape.geometry.camera_path import HOLD, Heights, Travel, through
 from landscape.geometry.quaternion import from_angles, to_angles
-from landscape.scene import Moment, OpenScene, placed, raised
+from landscape.scene.scene import Moment, OpenScene, placed, raised
 
 FLIGHT = 2.0  # chosen: times the walking speed; as fast as one flies in a walk
 TURNING = 28.0  # chosen: degrees per second, the mean that sets how long a turn takes

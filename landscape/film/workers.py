@@ -16,12 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from landscape.errors import InputError, NoOpenGLError, UnexpectedError, located
+from framelens.base.errors import InputError, NoOpenGLError, UnexpectedError, located
+from framelens.system import starting_workers
+from framelens.system.processes import begin_worker, one_core
 from landscape.film.cut import Film
 from landscape.film.stage import Stage
-from landscape.scene import SCENES
-from landscape.system import starting_workers
-from landscape.system.processes import begin_worker, one_core
+from landscape.scene.scene import SCENES
 
 AHEAD = 2  # pictures that a process has been asked for and that have not come yet
 EARLY = 3  # times the number of processes: pictures that may wait for an earlier one

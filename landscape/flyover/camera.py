@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape import arguments
+from framelens.base import arguments
 from landscape.flyover.settings import Flyover
 
 FARTHEST_PIXEL = float(1 << 30)  # chosen: coordinates beyond it are not told apart

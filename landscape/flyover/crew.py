@@ -21,15 +21,15 @@ from typing import Any
 
 import numpy as np
 
-from landscape import arguments
+from framelens.base import arguments
+from framelens.system import starting_workers
+from framelens.system.processes import begin_worker, cores, one_core
+from framelens.system.sharing import Bell, Pipe, SharedMemory
 from landscape.flyover import frame
 from landscape.flyover.camera import Camera
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.look import look
 from landscape.flyover.settings import MOST_PROCESSES, Settings, check
-from landscape.system import starting_workers
-from landscape.system.processes import begin_worker, cores, one_core
-from landscape.system.sharing import Bell, Pipe, SharedMemory
 
 DAMPING = 0.7  # how far cuts go towards where they should have been, chosen
 READY_WITHIN = 60.0  # seconds, chosen

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.output import write_whole
 from landscape.files.assets import shipped
-from landscape.files.output import write_whole
 from landscape.files.svg_environment import read
 from landscape.files.svg_writing import environment_text
 from landscape.flyover import island

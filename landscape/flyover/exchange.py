@@ -19,10 +19,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.input import read_bounded
+from framelens.base.output import write_whole
 from landscape.files.images import open_image, red_values
-from landscape.files.input import read_bounded
-from landscape.files.output import write_whole
 from landscape.flyover.environment import WHITE16, Environment, checked
 from landscape.flyover.settings import Flyover
 

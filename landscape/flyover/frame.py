@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from landscape import arguments
+from framelens.base import arguments
 from landscape.flyover import (
     bresenham,
     clipping,

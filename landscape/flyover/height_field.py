@@ -20,7 +20,7 @@ from functools import cached_property
 import numpy as np
 from PIL import Image
 
-from landscape.errors import InputError, short
+from framelens.base.errors import InputError, short
 from landscape.files.cache import recall
 from landscape.flyover.settings import Flyover
 

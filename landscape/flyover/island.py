@@ -6,12 +6,12 @@ that the island is as steep as there. The sea is flat.
 
 import numpy as np
 
+from landscape.elements.settings import Ground, Water
 from landscape.files.assets import shipped
 from landscape.files.images import read_heights
 from landscape.files.svg_writing import grey
 from landscape.flyover.settings import Flyover
 from landscape.geometry.bezier import through
-from landscape.settings import Ground, Water
 
 WIDTH = Ground().size  # units
 HEIGHT_IMAGE = "height16.png"

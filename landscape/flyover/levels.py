@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.flyover.camera import Camera, Frustum
 from landscape.flyover.height_field import HeightField
 from landscape.flyover.settings import Flyover

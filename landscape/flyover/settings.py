@@ -1,4 +1,4 @@
-"""The fly-over's constants and switches as settings; see :mod:`landscape.keys`.
+"""The fly-over's constants and switches as settings; see :mod:`landscape.settings.declare`.
 
 Each technique has a switch. With one off, the picture is made in the simple way: it takes longer,
 or it shows the flaw that the technique avoids.
@@ -7,9 +7,9 @@ or it shows the flaw that the technique avoids.
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.errors import InputError
-from landscape.keys import Value, setting
-from landscape.settings import PER_SECOND, UNITS
+from framelens.base.errors import InputError
+from landscape.elements.settings import PER_SECOND, UNITS
+from landscape.settings.declare import Value, setting
 
 DOCUMENT = (
     "fly-over, section 2.1"  # the document of the student project, "Transformation 3D vers 2D"

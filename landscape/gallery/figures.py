@@ -14,16 +14,17 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.output import check_output_folder, save_png, write_whole
+from framelens.base.progress import Progress
+from framelens.base.texts import LANGUAGES
 from landscape.files.images import read_image
-from landscape.files.output import check_output_folder, save_png, write_whole
-from landscape.files.progress import Progress
-from landscape.gallery import flyover_captions, flyover_page, page, scene_page
+from landscape.gallery import flyover_captions as captions
+from landscape.gallery import flyover_page, page, scene_page
 from landscape.gallery.compare import agree, agree_lossy, amplified
 from landscape.gallery.panels import FigurePanel, PanelRenderer, named_panels
 from landscape.gallery.scene_captions import QUALITY, VIEW_TEXTS
-from landscape.languages import LANGUAGES
-from landscape.scene import scene
+from landscape.scene.scene import scene
 
 RENDERER = "renderer.txt"  # names the OpenGL that drew the committed pictures
 
@@ -55,7 +56,7 @@ def gallery(names: list[str]) -> Gallery:
     """
     if names == [flyover_page.NAME]:
         panels, page_of = flyover_page.panels(), flyover_page.page
-        return Gallery(flyover_page.NAME, "webp", panels, page_of, flyover_captions.QUALITY)
+        return Gallery(flyover_page.NAME, "webp", panels, page_of, captions.QUALITY)
     if len(names) == 1 and names[0] in VIEW_TEXTS:
         kind = scene(names[0])
         of_scene = partial(scene_page.page, kind.name)

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from landscape.flyover.settings import BEST
-from landscape.keys import Value
+from landscape.settings.declare import Value
 
 QUALITY = 60  # chosen: of its pictures as WebP
 

@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 
+from framelens.base.texts import translator
 from landscape.flyover import frame
 from landscape.flyover.environment import Environment, open_environment
 from landscape.flyover.settings import BEST, PRESETS, Settings
@@ -26,8 +27,7 @@ from landscape.gallery.flyover_captions import (
 )
 from landscape.gallery.panels import FigurePanel, PanelRenderer, as_text
 from landscape.gallery.scene_page import PAIR_SIZE, STEP_SIZE, VIEW_SIZE, pair_entry, view_entry
-from landscape.keys import preset, with_settings
-from landscape.languages import translator
+from landscape.settings.declare import preset, with_settings
 
 NAME = "flyover"  # of its folder in screenshots, and for `landscape figures`
 

@@ -3,9 +3,9 @@
 import re
 from dataclasses import dataclass
 
-from landscape.fixes import FIXES, Fix
+from framelens.base.texts import Phrases, Translator, translator
 from landscape.gallery.panels import FigurePanel, panels
-from landscape.languages import Phrases, Translator, translator
+from landscape.island.fixes import FIXES, Fix
 
 CODE = "../landscape"  # from the page's folder
 
@@ -27,13 +27,13 @@ INTRODUCTION = (
     "",
     "- *Preset*: a complete set of values for the program's settings. `2006` has the report's"
     " numbers and its flaws; `best` turns on nearly all fixes and has many more trees and"
-    f" blades of grass ([settings.py]({CODE}/settings.py) has both). The pictures on this page"
-    " use `2006`. Whatever else a picture needs, such as a wider lens or thinner fog, is set by"
-    f" its view ([views.py]({CODE}/views.py)) or in its command.",
+    f" blades of grass ([settings]({CODE}/elements/settings/__init__.py) has both). The pictures"
+    " on this page use `2006`. Whatever else a picture needs, such as a wider lens or thinner fog,"
+    f" is set by its view ([views.py]({CODE}/island/views.py)) or in its command.",
     f"- *R1* to *R19*: the improvements that the report suggests, in our numbering"
-    f" ([report_fixes.py]({CODE}/fixes/report_fixes.py))."
+    f" ([report_fixes.py]({CODE}/island/report_fixes.py))."
     " *best1* to *best5*: what the preset `best` adds"
-    f" to them ([best_fixes.py]({CODE}/fixes/best_fixes.py)), and *stencil* a safeguard of the"
+    f" to them ([best_fixes.py]({CODE}/island/best_fixes.py)), and *stencil* a safeguard of the"
     " reflection.",
     "- *fig17b*: figure 17, panel b; also the name of the view, as in `landscape render fig17b`.",
     "- *Billboard*: a textured rectangle that turns to face the viewer. *Crossed quads*: two"
@@ -128,7 +128,7 @@ PARTS = (
         "All together",
         35,
         35,
-        f"Nine views of the whole scene ([island.py]({CODE}/island.py)).",
+        f"Nine views of the whole scene ([island.py]({CODE}/island/island.py)).",
     ),
     Part(
         "What is wrong",

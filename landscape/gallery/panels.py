@@ -13,16 +13,16 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from framelens.base.errors import InputError
 from landscape.elements.unfolded_sky import unfolded
-from landscape.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
-from landscape.fixes import FIXES, Fix
 from landscape.gallery.asset_captions import ASSET_PANELS
 from landscape.gallery.view_captions import VIEW_PANELS
-from landscape.island import ELEMENTS
-from landscape.render import Offscreen
-from landscape.views import VIEWS
+from landscape.island.fixes import FIXES, Fix
+from landscape.island.island import ELEMENTS
+from landscape.island.views import VIEWS
+from landscape.offscreen import Offscreen
 
 SIZE = (400, 300)  # chosen: large enough to see what each shows, small enough to commit them all
 REPORT_PRESET = "2006"  # the report's figures are drawn with the report's settings

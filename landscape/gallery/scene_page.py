@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from framelens.base.texts import Translator, translator
 from landscape.gallery.panels import FigurePanel, PanelRenderer, as_text
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS, Step
-from landscape.languages import Translator, translator
-from landscape.scene import Scene, View, scene
+from landscape.scene.scene import Scene, View, scene
 
 VIEW_SIZE, STEP_SIZE, PAIR_SIZE = (960, 540), (640, 360), (480, 300)  # chosen
 

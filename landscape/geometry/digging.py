@@ -6,7 +6,7 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from landscape.files.input import read_bounded
+from framelens.base.input import read_bounded
 from landscape.frame import Pose
 from landscape.geometry.bodies import Body
 

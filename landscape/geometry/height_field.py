@@ -10,10 +10,10 @@ from typing import TypeVar
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from landscape.elements.settings import Ground as GroundSettings
 from landscape.geometry.mesh import Mesh, grid_triangles, vertex_normals
 from landscape.geometry.splines import smoothed
-from landscape.settings import Ground as GroundSettings
 
 MOST_VERTICES = 1025  # chosen: more makes over a million vertices, which take seconds to build
 

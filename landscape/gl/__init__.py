@@ -1,1 +1,1 @@
-"""The only modules that import OpenGL: contexts, the seam for all calls, and thin wrappers."""
+"""What drawing adds to framelens.gl: display lists, meshes, cube maps, textures to draw into."""

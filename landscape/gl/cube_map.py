@@ -10,8 +10,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from landscape.gl.calls import gl
-from landscape.gl.texture import edge, mip_levels
+from framelens.gl.seam import gl
+from framelens.gl.texture import edge, mip_levels
 
 FACES = ("POSITIVE_X", "NEGATIVE_X", "POSITIVE_Y", "NEGATIVE_Y", "POSITIVE_Z", "NEGATIVE_Z")
 

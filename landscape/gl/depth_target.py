@@ -8,8 +8,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib
 
 LIT = np.ones(4, np.float32)  # the greatest depth: outside the texture nothing is nearer
 

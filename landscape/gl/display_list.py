@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from landscape.gl.calls import gl, noting
+from framelens.gl.seam import gl, noting
 
 
 class DisplayList:

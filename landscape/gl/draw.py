@@ -1,8 +1,8 @@
 """Drawing a mesh from its arrays, and the two quads that several elements send."""
 
+from framelens.gl.seam import gl
+from framelens.gl.state import client_arrays
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import gl
-from landscape.gl.state import client_arrays
 
 
 def draw_mesh(mesh: Mesh) -> None:

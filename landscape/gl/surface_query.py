@@ -16,11 +16,11 @@ from operator import sub
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib
 from landscape.frame import Frame
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import level_square
-from landscape.gl.state import attrib
 
 JUMP = 0.5  # chosen: change of position in units, or of the unit view vector: no step is so large
 

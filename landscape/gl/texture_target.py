@@ -10,8 +10,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from landscape.gl.calls import gl
-from landscape.gl.texture import edge
+from framelens.gl.seam import gl
+from framelens.gl.texture import edge
 
 
 class TextureTarget:

@@ -15,45 +15,45 @@ import numpy as np
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
+from framelens.base.installation import how_to_add
+from framelens.base.output import write_whole
+from framelens.base.progress import Progress
+from framelens.system import starting_workers
+from framelens.system.processes import begin_worker
 from landscape.files.assets import shipped
-from landscape.files.installation import how_to_add
-from landscape.files.output import write_whole
-from landscape.files.progress import Progress
-from landscape.system import starting_workers
-from landscape.system.processes import begin_worker
 
 # The height field comes first: the ground textures and the map are derived from it.
 MODULES = (
-    "terrain",
-    "ground",
-    "ground_details",
-    "chart",
-    "sky",
-    "cloud_layer",
-    "water",
-    "fire",
-    "caustics",
-    "mosaic",
-    "masonry",
-    "ashlar",
-    "gate",
-    "trees",
-    "individuals",
-    "deer",
-    "plants",
-    "herbs",
-    "sward",
-    "rabbit",
-    "dragon",
-    "sword",
-    "hall_stone",
-    "hall_bake",
-    "voxel_tiles",
-    "voxel_plants",
-    "voxel_ripples",
-    "environments",
-    "stones",
+    "land.terrain",
+    "land.ground",
+    "land.ground_details",
+    "land.chart",
+    "sky.sky",
+    "sky.cloud_layer",
+    "land.water",
+    "castle.fire",
+    "land.caustics",
+    "hall.mosaic",
+    "castle.masonry",
+    "castle.ashlar",
+    "castle.gate",
+    "plants.trees",
+    "plants.individuals",
+    "animals.deer",
+    "plants.plants",
+    "plants.herbs",
+    "plants.sward",
+    "animals.rabbit",
+    "animals.dragon",
+    "castle.sword",
+    "hall.stone",
+    "hall.bake",
+    "voxel.tiles",
+    "voxel.plants",
+    "voxel.ripples",
+    "land.environments",
+    "castle.stones",
     "places",
 )
 

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from PIL import Image, ImageDraw
 
+from framelens.base.fonts import font, writable
+from framelens.base.texts import translator
 from landscape.files.assets import Assets
-from landscape.files.fonts import font, writable
-from landscape.languages import translator
 from landscape.voxel.blocks import BLOCKS, PLANT_TILES, Block
 from landscape.voxel.tiles import plants, tiles
 

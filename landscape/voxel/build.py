@@ -12,12 +12,12 @@ from typing import TypeVar
 
 import numpy as np
 
+from framelens.base.errors import InputError
 from landscape.elements import sun
-from landscape.errors import InputError
+from landscape.elements.settings import Sun
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights
-from landscape.settings import Sun
 from landscape.voxel.blocks import TILES
 from landscape.voxel.distant import distant_meshes
 from landscape.voxel.faces import DIRECTIONS, shown_in
@@ -34,15 +34,7 @@ from landscape.voxel.landmarks import (
 )
 from landscape.voxel.materials import filled, strata, top_materials, variation
 from landscape.voxel.memory import give_back
-from landscape.voxel.mesh import (
-    SETS,
-    TURNS,
-    VERTEX,
-    Look,
-    RegionMesh,
-    region_meshes,
-    shown_tiles,
-)
+from landscape.voxel.mesh import SETS, TURNS, VERTEX, Look, RegionMesh, region_meshes, shown_tiles
 from landscape.voxel.packed_mesh import PackedMesh, packed
 from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel

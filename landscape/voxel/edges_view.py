@@ -6,8 +6,8 @@ State used: GL_BLEND, GL_POLYGON_OFFSET_LINE, the polygon mode; fog off.
 What it shows: switches ``voxel.merge``, ``voxel.occlusion`` (which keeps quads apart).
 """
 
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib
 from landscape.voxel.land import Choice, Land
 
 OFFSET = -1.0  # of glPolygonOffset: towards the eye

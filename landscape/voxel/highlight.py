@@ -9,9 +9,9 @@ What is wrong without: without the offset the lines are broken, in another way i
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, flat_projection, line_width, matrix
 from landscape.frame import Frame
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, flat_projection, line_width, matrix
 
 # All chosen.
 # The edges: RGBA, and width in pixels at a height of TALL. The light line within the dark one shows

@@ -18,13 +18,13 @@ from contextlib import ExitStack
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, combine, matrix
+from framelens.gl.texture import Texture, mip_levels
 from landscape.elements import sun
 from landscape.files.assets import Assets
 from landscape.frame import Frame
-from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
-from landscape.gl.state import attrib, combine, matrix
-from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
 from landscape.voxel.faces import DIRECTIONS
 from landscape.voxel.land import Choice, Land

@@ -15,11 +15,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
+from framelens.gl.texture import Texture, mip_levels
 from landscape.files.assets import Assets
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import attrib, matrix
-from landscape.gl.texture import Texture, mip_levels
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import (
     BUILT,

@@ -10,14 +10,14 @@ What is not drawn: blocks that change while the map is shown; off and on again, 
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, flat_projection
+from framelens.gl.texture import Texture
 from landscape.elements.map import place_on_map
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.height_colours import DEPTHS
-from landscape.gl.calls import gl
 from landscape.gl.draw import picture_quad
-from landscape.gl.state import attrib, flat_projection
-from landscape.gl.texture import Texture
 from landscape.voxel.blocks import BLOCKS, SOLID, looked_up
 from landscape.voxel.land import Land
 from landscape.voxel.settings import Settings

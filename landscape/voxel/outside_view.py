@@ -10,11 +10,11 @@ What is not drawn: blocks that change while it is shown; off and on again, it ha
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, flat_projection
+from framelens.gl.texture import Texture
 from landscape.files.assets import Assets
 from landscape.frame import Frame
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays, flat_projection
-from landscape.gl.texture import Texture
 from landscape.voxel.land import Choice, Land
 from landscape.voxel.map import highest, map_picture
 from landscape.voxel.regions_view import LINE, draw_tops

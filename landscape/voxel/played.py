@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
+from framelens.base.texts import Phrases
+from framelens.gl.seam import drawing
 from landscape.files.assets import Assets
 from landscape.files.cache import content
 from landscape.frame import Frame, Pose
 from landscape.geometry.bodies import Body, Wish
 from landscape.geometry.obstacles import MARGIN
-from landscape.gl.calls import drawing
-from landscape.languages import Phrases
 from landscape.voxel import body as bodies
 from landscape.voxel.bar import Icons, bar_image
 from landscape.voxel.blocks import AIR, BLOCKS, SOLID, block

@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from landscape.gl.calls import gl
+from framelens.gl.seam import gl
 from landscape.gl.features import possible
 from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import PLANTS, SETS, SHORE, TURNS, UP, VERTEX, WET, RegionMesh, at_corner

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from landscape.gl.calls import gl
+from framelens.gl.seam import gl
 from landscape.voxel.mesh import VERTEX
 from landscape.voxel.region_buffer import RegionBuffer, as_bytes, new_buffer
 

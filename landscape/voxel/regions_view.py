@@ -6,8 +6,8 @@ State used: GL_LINES, GL_BLEND, a vertex array of all corners.
 
 import numpy as np
 
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays
 from landscape.voxel.land import Choice, Land
 from landscape.voxel.visibility import CORNERS, visible_in_world
 

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from landscape.fixes import safeguard
-from landscape.fixes.safeguard import pair
+from landscape.scene import safeguard
+from landscape.scene.safeguard import pair
 from landscape.voxel.views import STANDING, VIEWS
 
 __all__ = ["Safeguard", "pair"]

@@ -1,10 +1,10 @@
-"""The voxel island's constants as settings; see :mod:`landscape.keys`."""
+"""The voxel island's constants as settings; see :mod:`landscape.settings.declare`."""
 
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.keys import Value, setting, word
-from landscape.settings import UNITS, Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings import UNITS, Camera, Clock, Fog, Sun, Walk
+from landscape.settings.declare import Value, setting, word
 
 REGIONS = "Peurière, Terrain/Region"
 BLOCKS = "blocks"
@@ -17,7 +17,7 @@ TIMES: dict[str, dict[str, Value]] = {
     "noon": {},
     "sunset": {
         "sky.set": "sunset",
-        "sun.azimuth": 250.0,  # where the sun is in the sunset's pictures (studio/air.py)
+        "sun.azimuth": 250.0,  # where the sun is in the sunset's pictures (studio/sky/air.py)
         "sun.elevation": 9.0,
         "sun.diffuse": (1.0, 0.72, 0.42),
         "shadow.color": (0.58, 0.51, 0.62),

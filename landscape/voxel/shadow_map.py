@@ -22,12 +22,12 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, combine, flat_projection
+from framelens.gl.texture import Texture
 from landscape.elements import sun
-from landscape.gl.calls import gl
 from landscape.gl.depth_target import DepthTarget
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import attrib, combine, flat_projection
-from landscape.gl.texture import Texture
 from landscape.voxel.settings import Settings
 from landscape.voxel.sun_view import enlarged, light_matrix, part_of
 

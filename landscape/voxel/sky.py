@@ -13,16 +13,16 @@ import itertools
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
 from landscape.elements.sky_box import FACES, set_files
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.smooth import read_smooth
 from landscape.frame import Frame
-from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, directions_through
 from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, matrix
 from landscape.voxel.settings import Settings
 
 HEIGHT = (

@@ -1,12 +1,12 @@
 """What the current OpenGL can do of the voxel island's passes: the others are off, with one line.
 
-What each pass needs is in gl/features.py. Here the settings are changed accordingly, so
+What each pass needs is in framelens/gl/features.py. Here the settings are changed accordingly, so
 that all other code only asks the settings.
 """
 
 from dataclasses import replace
 
-from landscape.gl.extensions import largest_texture, tell
+from framelens.gl.extensions import largest_texture, tell
 from landscape.gl.features import possible
 from landscape.voxel.settings import Settings
 
@@ -18,7 +18,7 @@ def supported(settings: Settings) -> Settings:
         shadow = replace(shadow, enabled=False)
     if shadow.enabled and shadow.size > largest_texture():
         most = largest_texture()
-        tell(f"landscape: shadow.size: {most} instead of {shadow.size}, this OpenGL's largest")
+        tell(f"shadow.size: {most} instead of {shadow.size}, this OpenGL's largest")
         shadow = replace(shadow, size=most)
     voxel = settings.voxel
     if voxel.highlights and not possible("voxel.highlights"):

@@ -12,10 +12,10 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, combine, flat_projection
 from landscape.frame import Frame
-from landscape.gl.calls import gl
 from landscape.gl.depth_target import DepthTarget
-from landscape.gl.state import attrib, combine, flat_projection
 from landscape.gl.texture_target import TextureTarget
 from landscape.voxel.settings import PICTURES
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.voxel.blocks import HOLED, PLANT_TILES, TILES

@@ -12,7 +12,7 @@ water sees the surface as from above).
 State used: that of the fog, the clip plane and the water.
 """
 
-from landscape.settings import Fog
+from landscape.elements.settings import Fog
 from landscape.voxel.settings import Settings
 
 LIGHTER = 0.3  # chosen: how far lit water has the colour of the sea at the horizon

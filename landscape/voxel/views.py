@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from landscape.frame import Pose
-from landscape.scene import View
+from landscape.scene.scene import View
 
 ELEMENTS = ("land", "sky", "water", "highlight", "crosshair", "sword", "map")
 HELD = ("highlight", "crosshair", "sword", "map")  # only a walker has them: no view shows them

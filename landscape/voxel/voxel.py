@@ -9,17 +9,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from framelens.gl.seam import begin_pass, drawing, gl
+from framelens.gl.state import attrib
 from landscape.elements import sun
+from landscape.elements.settings import Fog
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
-from landscape.gl.calls import begin_pass, drawing, gl
-from landscape.gl.state import attrib
-from landscape.keys import Toggle
-from landscape.scene import SEED, Moment, Scene, View, begin_frame
-from landscape.settings import Fog
+from landscape.scene.scene import SEED, Moment, Scene, View, begin_frame
+from landscape.settings.declare import Toggle
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
 from landscape.voxel.far_shadows import FarShadowMap

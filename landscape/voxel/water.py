@@ -19,16 +19,16 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, combine
+from framelens.gl.texture import Texture
 from landscape.elements import sun
 from landscape.files.assets import Assets
 from landscape.frame import Frame
-from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap
 from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, client_arrays, combine
 from landscape.gl.surface_query import SurfaceQuery
-from landscape.gl.texture import Texture
 from landscape.voxel.fresnel import fresnel_faces
 from landscape.voxel.settings import Settings
 from landscape.voxel.tiles import ripples

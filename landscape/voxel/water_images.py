@@ -17,12 +17,12 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
 from landscape.elements import fog
-from landscape.gl.calls import gl
+from landscape.elements.settings import Fog
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, matrix
 from landscape.gl.texture_target import TextureTarget
-from landscape.settings import Fog
 from landscape.voxel.settings import Water
 
 # Blocks, chosen: so far below the water's level the mirrored land goes on. Ripples at the shore

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from landscape.errors import InputError, short
+from framelens.base.errors import InputError, short
 from landscape.voxel.blocks import BLOCKS, NUMBERS
 from landscape.voxel.world import Cell, World
 

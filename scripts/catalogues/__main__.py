@@ -1,4 +1,4 @@
-"""The catalogues of translated texts, landscape/locale/LANGUAGE/DOMAIN.po.
+"""The catalogues of translated texts, locale/LANGUAGE/DOMAIN.po of each package.
 
     python scripts/catalogues update    # adds empty entries for new texts, removes stale ones
     python scripts/catalogues check     # lists what is untranslated, stale, fuzzy or damaged
@@ -16,21 +16,29 @@ from pathlib import Path
 
 import readme
 from catalogue import faults, update
-from domains import DOMAINS
+from domains import DOMAINS, IN_FRAMELENS
 
-from landscape.languages import LANGUAGES, LOCALE
+import landscape
+from framelens.base.packages import FRAMELENS
+from framelens.base.texts import LANGUAGES
+
+LOCALE = Path(landscape.__file__).parent / "locale"
 
 
 def main() -> int:
     """Run the command line and return the exit status."""
     parser = argparse.ArgumentParser(prog="catalogues", description=__doc__.split("\n")[0])
     parser.add_argument("command", choices=("update", "check"))
-    parser.add_argument("--locale", type=Path, default=LOCALE, help="folder of the catalogues")
+    parser.add_argument(
+        "--locale", type=Path, help="a folder with copies of all catalogues; default: theirs"
+    )
     options = parser.parse_args()
     found = []
     for language in LANGUAGES[1:]:
-        folder = options.locale / language
-        wanted = {folder / f"{domain}.po": list(texts()) for domain, texts in DOMAINS.items()}
+        wanted = {
+            _home(domain, options.locale) / language / f"{domain}.po": list(texts())
+            for domain, texts in DOMAINS.items()
+        }
         if options.command == "update":
             for path, messages in wanted.items():
                 try:
@@ -39,16 +47,27 @@ def main() -> int:
                     sys.exit(f"catalogues: {error}")
         for path, messages in wanted.items():
             found += faults(path, messages)
-        if options.locale == LOCALE:
+        if options.locale is None:
             if options.command == "update":
                 readme.write(language)
             found += readme.stale(language)
-        strangers = sorted(set(folder.rglob("*.po")) - wanted.keys())
+        folders = {_home(domain, options.locale) / language for domain in DOMAINS}
+        present = {path for folder in folders for path in folder.rglob("*.po")}
+        strangers = sorted(present - wanted.keys())
         found += [f"{path}: stale: no texts belong to it" for path in strangers]
 
     here = f"{Path.cwd()}{os.sep}"
     print("\n".join(line.removeprefix(here) for line in found) or "every text is translated")
     return 1 if found and options.command == "check" else 0
+
+
+def _home(domain: str, copies: Path | None) -> Path:
+    """Return the folder of a domain's catalogues, without the language."""
+    if copies is not None:
+        return copies
+    return (
+        FRAMELENS.locale if domain in IN_FRAMELENS else Path(landscape.__file__).parent / "locale"
+    )
 
 
 if __name__ == "__main__":

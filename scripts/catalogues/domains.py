@@ -1,7 +1,7 @@
 """The domains: which texts each catalogue translates.
 
 A domain is a name and a function that yields its texts. The name is the catalogue's path below
-landscape/locale/LANGUAGE, without .po.
+locale/LANGUAGE of its package, without .po.
 """
 
 import ast
@@ -11,18 +11,19 @@ from pathlib import Path
 
 from catalogue import Message
 
-from landscape.course import lecture, program_texts
-from landscape.course.exercises import NAMES, exercise
+from landscape.course import program_texts
+from landscape.course.exercise import NAMES, exercise
 from landscape.course.ladder import PROGRAMS, SECTIONS, Lesson, lessons, paragraphs
+from landscape.course.lecture import plan
 from landscape.course.pages import BY_CELL, blocks, cells, has_words, page
-from landscape.fixes import FIXES
 from landscape.gallery import flyover_captions
 from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS
-from landscape.scene import SCENES, scene
+from landscape.island.fixes import FIXES
+from landscape.scene.scene import SCENES, scene
 from landscape.voxel.blocks import BLOCKS
-from landscape.window.settings_list import rows
+from landscape.walk.settings_list import rows
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -48,7 +49,7 @@ DOCUMENTS = (
 """The documents that are translated, below the root of the project."""
 
 TABLES = ("Texts", "Phrases")
-"""The annotations of tables of texts, in landscape/languages.py."""
+"""The annotations of tables of texts, in framelens/base/texts.py."""
 
 
 def in_code(*patterns: str) -> Iterator[Message]:
@@ -108,14 +109,14 @@ def in_exercise(name: str) -> Iterator[Message]:
     found = exercise(name)
     own = program_texts.texts((found.folder / "start.py").read_text(encoding="utf-8"))
     for text in (found.title, *found.task, *own):
-        yield Message(text, f"landscape/exercises/{name}/start.py")
-    yield from in_code(f"landscape/exercises/{name}/grading.py")
+        yield Message(text, f"landscape/course/exercises/{name}/start.py")
+    yield from in_code(f"landscape/course/exercises/{name}/grading.py")
 
 
 def in_lectures() -> Iterator[Message]:
     """Yield the texts of the lectures that come with the program."""
-    for path in sorted(lecture.COURSE.parent.glob("*.txt")):
-        for text in lecture.texts(lecture.read(path)):
+    for path in sorted(plan.COURSE.parent.glob("*.txt")):
+        for text in plan.texts(plan.read(path)):
             yield Message(text, path.relative_to(ROOT).as_posix())
 
 
@@ -134,7 +135,7 @@ def settings() -> Iterator[Message]:
 
 def scenes() -> Iterator[Message]:
     """Yield what each scene is called, and calls its own: doors, blocks, what keys change."""
-    yield from in_code("landscape/island.py", "landscape/effects/*.py", "landscape/voxel/*.py")
+    yield from in_code("landscape/island/island.py", "landscape/hall/*.py", "landscape/voxel/*.py")
     for each in BLOCKS[1:]:
         yield Message(each.name, "landscape/voxel/blocks.py")
     for kind in map(scene, SCENES):
@@ -182,7 +183,7 @@ def gallery() -> Iterator[Message]:
             yield from (Message(text, source) for text in (panel.title, panel.seen, panel.look))
     for fix in FIXES:
         for text in (fix.flaw, *fix.seen, fix.look, fix.how):
-            yield Message(text, "landscape/fixes")
+            yield Message(text, "landscape/island/fixes.py")
 
 
 def flyover_gallery() -> Iterator[Message]:
@@ -210,16 +211,27 @@ def in_document(name: str) -> Iterator[Message]:
             yield Message(block.text, name)
 
 
+COURSE = (
+    "landscape/course/*.py",
+    "landscape/course/grader/*.py",
+    "landscape/course/lecture/*.py",
+    "landscape/commands/*.py",
+)
+
+IN_FRAMELENS = ("calls", "inspector", "strip", "why")
+"""The domains whose catalogues come with framelens; the others come with landscape."""
+
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
-    "calls": lambda: in_code("landscape/capture/*.py"),
+    "calls": lambda: in_code("framelens/spec/*.py", "framelens/tape/*.py"),
     "fixes": fixes,
     "scenes": scenes,
     "settings": settings,
-    "strip": lambda: in_code("landscape/tools/*.py"),
-    "why": lambda: in_code("landscape/why/*.py"),
-    "window": lambda: in_code("landscape/window/*.py"),
+    "inspector": lambda: in_code("framelens/inspector/*.py"),
+    "strip": lambda: in_code("framelens/report/*.py"),
+    "why": lambda: in_code("framelens/why/*.py"),
+    "window": lambda: in_code("landscape/walk/*.py"),
     "film": lambda: in_code("landscape/film/*.py"),
-    "course": lambda: (*in_code("landscape/course/*.py"), *in_lectures()),
+    "course": lambda: (*in_code(*COURSE), *in_lectures()),
     "programs": in_programs,
     "site": lambda: in_code("scripts/site/*.py"),
     "gallery": gallery,

@@ -6,13 +6,13 @@ The first is written from README.md and its catalogue, docs/README; the others b
 from collections.abc import Iterator
 from pathlib import Path
 
+from framelens.base.texts import translator
 from landscape.course.pages import as_markdown, blocks
 from landscape.gallery.flyover_page import NAME as FLYOVER
 from landscape.gallery.flyover_page import page as flyover_page
 from landscape.gallery.page import page
 from landscape.gallery.scene_captions import VIEW_TEXTS
 from landscape.gallery.scene_page import page as scene_page
-from landscape.languages import translator
 
 ROOT = Path(__file__).resolve().parents[2]
 WIDTH = 100  # chosen: columns of its prose, as in README.md

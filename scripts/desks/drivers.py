@@ -22,8 +22,8 @@ import numpy as np
 from PIL import Image
 
 from landscape.gl.features import FEATURES
-from landscape.island import MAIN
-from landscape.render import Offscreen
+from landscape.island.island import MAIN
+from landscape.offscreen import Offscreen
 
 HERE = Path(__file__).parent
 LIBRARY, RENAMED = b"libOSMesa.so.8", b"libOSMesa.so.R"

@@ -9,7 +9,7 @@ from typing import Any
 from PIL import Image
 
 from landscape.files.assets import shipped
-from landscape.scene import scene
+from landscape.scene.scene import scene
 
 ELEMENTS = scene().elements
 # A small picture without much in it, drawn quickly.

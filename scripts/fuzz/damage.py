@@ -17,8 +17,8 @@ from PIL import Image
 from values import FIELDS, value
 
 import landscape
-from landscape.tools.doctor import BACKENDS
-from landscape.window.recording import ACTIONS
+from landscape.commands.doctor import BACKENDS
+from landscape.walk.recording import ACTIONS
 
 
 def damaged(rng: random.Random, data: bytes, times: int) -> bytes:

@@ -10,7 +10,7 @@ from case import ELEMENTS, RENDER, Case
 from damage import cache, damaged, image, mesh, picture, recording
 from values import FIELDS, WORDS, number, setting, value
 
-from landscape.scene import SCENES, scene
+from landscape.scene.scene import SCENES, scene
 
 
 def make(name: str, seed: int) -> Case:

@@ -2,8 +2,8 @@
 
 import random
 
-from landscape import keys
-from landscape.scene import scene
+from landscape.scene.scene import scene
+from landscape.settings import declare
 
 WORDS = [
     *["", " ", "-", "--", "-1", "0", "1", "7", "1e9", "nan", "inf", "-inf", "1e400", "9" * 400],
@@ -14,7 +14,7 @@ WORDS = [
     *["%s", "{}", "$HOME", "*", "'", '"', "\\", "\udcff", "\u202e", "640x480", "1,2,3,4,5"],
 ]
 
-FIELDS = keys.fields(type(scene().settings))
+FIELDS = declare.fields(type(scene().settings))
 # Large values of these take long, as they should; what matters is tested below a bound.
 COSTLY = {"grass.count": 300_000, "trees.count": 5000, "plants.count": 5000, "deer.count": 5000}
 COSTLY |= {"ground.resolution": 300, "ground.texture_size": 1024, "grass.radius": 30}

@@ -28,11 +28,11 @@ import start
 import theme
 from drawn import Drawn, draw_exercise, draw_lesson, read_scene, shrink
 
-from landscape.course.exercises import NAMES
+from framelens.base.progress import Progress
+from framelens.base.texts import LANGUAGES
+from landscape.course.exercise import NAMES
 from landscape.course.ladder import lessons
-from landscape.files.progress import Progress
-from landscape.languages import LANGUAGES
-from landscape.scene import scene
+from landscape.scene.scene import scene
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "build" / "site-source"

@@ -7,12 +7,12 @@ from functools import cache
 from drawn import Drawn
 from lesson_pages import title_link
 
-from landscape.capture import spec
-from landscape.capture.names import element
+from framelens.base.texts import LANGUAGES, translator
+from framelens.spec import spec
+from framelens.tape.names import element
+from landscape.commands.lesson import described
 from landscape.course import program_texts
 from landscape.course.ladder import NAMES, lesson
-from landscape.course.lesson_command import described
-from landscape.languages import LANGUAGES, translator
 
 
 @dataclass

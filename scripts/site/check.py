@@ -7,7 +7,7 @@ from pathlib import Path
 from links import dead_links
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from landscape.languages import LANGUAGES
+from framelens.base.texts import LANGUAGES
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 PHONE, DESK = {"width": 390, "height": 844}, {"width": 1280, "height": 900}

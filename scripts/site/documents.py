@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+from framelens.base.texts import translator
 from landscape.course.pages import BY_CELL, as_markdown, blocks, by_cell
-from landscape.languages import translator
 
 ROOT = Path(__file__).resolve().parents[2]
 TEACHING = ("lecture", "exercises", "glut", "sheet")  # for who gives the course

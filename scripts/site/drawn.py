@@ -10,16 +10,17 @@ from pathlib import Path
 
 from PIL import Image
 
-from landscape.capture.tape import Tape
-from landscape.course.exercises import exercise, grading
+from framelens.base.texts import LANGUAGES
+from framelens.gl.seam import Call
+from framelens.program.program_frame import ProgramFrame
+from framelens.report import strip as strips
+from framelens.tape.tape import Tape
+from landscape.commands.lesson import speaking
+from landscape.commands.target import ViewFrame
+from landscape.course.exercise import exercise, grading
+from landscape.course.grader.picture import pictures
 from landscape.course.ladder import lesson, presses
-from landscape.course.lesson_command import speaking
-from landscape.course.picture import pictures
-from landscape.gl.calls import Call
-from landscape.languages import LANGUAGES
-from landscape.scene import scene
-from landscape.tools import strip as strips
-from landscape.tools.target import Target
+from landscape.scene.scene import scene
 
 QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
 EVERY = 4  # chosen: frames of the program for one of its animation
@@ -75,7 +76,7 @@ def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
             quality=MOVING,
         )
 
-    target = Target(str(found.file), frame=found.frame, limit=LIMIT)
+    target = ProgramFrame(str(found.file), frame=found.frame, limit=LIMIT)
     calls = target.look(all_calls)
     draws = sum(call.name in ("glBegin", "glEnd") or "Draw" in call.name for call in calls)
     by = "draw" if draws // 2 <= STRIP_STEPS else "element"
@@ -102,7 +103,7 @@ def draw_exercise(name: str, folder: Path) -> list[Seen]:
 
 def read_scene(view: str, preset: str) -> list[Seen]:
     """Return the calls of a view's frame."""
-    calls = Target(view, (320, 240), preset=preset).look(all_calls)
+    calls = ViewFrame(view, (320, 240), preset=preset).look(all_calls)
     return [Seen(call.name, f"{scene().name}/{call.element}", call.source) for call in calls]
 
 

@@ -8,13 +8,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from landscape.fixes import FIXES
-from landscape.gallery import flyover_captions, flyover_page, scene_page
+from framelens.base.texts import translator
+from landscape.gallery import flyover_captions as captions
+from landscape.gallery import flyover_page, scene_page
 from landscape.gallery.page import ADDED, FIXED, FIXES_TEXT, PARTS, anchor
 from landscape.gallery.panels import FigurePanel, panels
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS
-from landscape.languages import translator
-from landscape.scene import scene
+from landscape.island.fixes import FIXES
+from landscape.scene.scene import scene
 
 KEPT = Path(__file__).resolve().parents[2] / "screenshots"
 
@@ -83,7 +84,7 @@ def _scene(name: str, language: str) -> str:
 
 def _flyover(language: str) -> str:
     _ = translator(language, "site", "gallery")
-    said = flyover_captions
+    said = captions
     panels = {panel.name: panel for panel in flyover_page.panels()}
     title, *introduction = said.INTRODUCTION
     lines = [f"# {_(title)}", *(_plain(_(text)) for text in introduction)]

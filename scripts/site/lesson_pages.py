@@ -3,10 +3,10 @@
 from drawn import Drawn
 from exercise_pages import of_lesson
 
+from framelens.base.texts import translator
+from landscape.commands.lesson import described, program_described
 from landscape.course.ladder import LADDER, TOPICS, Lesson, lesson, lessons, program_files
-from landscape.course.lesson_command import described, program_described
 from landscape.course.pages import Block, as_markdown, page
-from landscape.languages import translator
 
 
 def pages(language: str, drawn: Drawn) -> dict[str, str]:

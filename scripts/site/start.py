@@ -1,6 +1,6 @@
 """The start page."""
 
-from landscape.languages import Phrases, Texts, translator
+from framelens.base.texts import Phrases, Texts, translator
 
 COMMANDS: Texts = {
     "make demo": "walk the island",

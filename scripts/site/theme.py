@@ -4,7 +4,7 @@ from pathlib import Path
 
 import polib
 
-from landscape.languages import Phrases, translator
+from framelens.base.texts import Phrases, translator
 
 WORDS: Phrases = (
     "Back to top",

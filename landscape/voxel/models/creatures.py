@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.meshes import read_colours, read_mesh
 from landscape.geometry.mesh import centred
 from landscape.voxel.blocks import block

@@ -20,6 +20,7 @@ from landscape.elements.best.animals.levels_of_detail import (
     packed,
     unpacked,
 )
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.files.meshes import read_colours
@@ -29,7 +30,6 @@ from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.mesh import Mesh, scaled
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.settings import Settings
 
 # Chosen: times the allowed error, in the frames of a walk that have fewer pixels than the window.
 IN_MOTION = 4.0

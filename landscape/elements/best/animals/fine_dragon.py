@@ -10,19 +10,19 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import glint_after_texture
 from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
 from landscape.elements.best.animals.wet_sheen import WetSheen
 from landscape.elements.dragon import Dragon, dragon_obstacles, planar, swimming
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import content
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
-from landscape.gl.calls import gl
-from landscape.gl.state import glint_after_texture
-from landscape.settings import Settings
 
 SHININESS = 40.0  # chosen: wet scales
 

@@ -5,11 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, front_faces, matrix
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
 from landscape.elements.best.animals.fur import Fur
 from landscape.elements.ground import Ground
 from landscape.elements.rabbit import Rabbit, cylindrical, rabbit_obstacles, standing
+from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, lit, painted
 from landscape.files.assets import Assets
 from landscape.files.cache import content
@@ -17,9 +20,6 @@ from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, front_faces, matrix
-from landscape.settings import Settings
 
 SHADED = 0.3  # chosen: fraction of the sun that is left to what rises out of a shadow
 

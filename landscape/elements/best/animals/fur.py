@@ -15,16 +15,16 @@ from functools import partial
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib
+from framelens.gl.texture import Texture
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.levels_of_detail import packed, unpacked
 from landscape.files.cache import recall
 from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import Mesh, gathered, scaled
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.state import attrib
-from landscape.gl.texture import Texture
 
 # All chosen; lengths are those of a mesh of -1..1.
 SPARSE = 0.6  # how much of what is above a shell's cut is cut where hair begins to be seen

@@ -20,16 +20,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, combine
 from landscape.elements.best.sky import surroundings
+from landscape.elements.settings import Settings, Sun
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import gl
 from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, combine
-from landscape.settings import Settings, Sun
 
 SIDE = 32  # chosen: texels per side of a face of the map of Fresnel's law
 SUN_SIZE = 0.15  # chosen: radians, of the sun as wet scales mirror it

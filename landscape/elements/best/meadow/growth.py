@@ -44,9 +44,9 @@ from landscape.elements.grass_cells import (
     visible_cells,
 )
 from landscape.elements.ground import Ground
+from landscape.elements.settings import Settings
 from landscape.frame import Frame
 from landscape.geometry.height_field import greenness
-from landscape.settings import Settings
 
 LAYER = 64  # chosen: blades in the first layer of a cell
 FAR_LAYERS = 1024  # chosen: blades of a cell that grow in all of it; the ends of a layer

@@ -23,6 +23,10 @@ from contextlib import contextmanager, nullcontext
 
 import numpy as np
 
+from framelens.gl.extensions import Need, antialiased, has
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, multiply
+from framelens.gl.texture import Texture
 from landscape.elements.best.meadow.facing import facing
 from landscape.elements.best.meadow.growth import FAR_LAYERS, Growth
 from landscape.elements.best.meadow.gusts import gusts
@@ -59,17 +63,13 @@ from landscape.elements.grass_cells import (
     visible_cells,
 )
 from landscape.elements.ground import Ground
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
-from landscape.gl.calls import gl
-from landscape.gl.extensions import Need, antialiased, has
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, client_arrays, multiply
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 DITHER_CONTROL = Need(None, ("GL_NV_alpha_to_coverage_dither_control",))
 RARELY = 1.5  # chosen: times the margin that is kept where blades are left out

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from landscape.settings import Grass
+from landscape.elements.settings import Grass
 
 
 class Sown(NamedTuple):

@@ -13,7 +13,7 @@ from PIL import Image
 
 from landscape.files.images import mip_chain, read_image
 
-COLUMNS, ROWS = 8, 2  # of cells in the texture, see studio/sward.py
+COLUMNS, ROWS = 8, 2  # of cells in the texture, see studio/plants/sward.py
 SIDE = 256  # texels a cell is high; it is half as wide
 LEVELS = 6  # chosen: at the last mip level a cell is 4 texels wide
 GREEN_KINDS = 5  # kinds 0 to 4 are tinted: three sheaves, broad blades, and the floor of the sward

@@ -14,19 +14,19 @@ import math
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, combine, matrix
+from framelens.gl.texture import Texture
 from landscape.elements.best.sea.eye_grid import EyeGrid
 from landscape.elements.best.sea.serpent_wash import rings_around
 from landscape.elements.best.sea.shoreline import averaged, last_foam, shore_map, spread
+from landscape.elements.settings import Settings
 from landscape.elements.sun import painted
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import attrib, client_arrays, combine, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 WIDEST = 0.42  # chosen: units that the wash is wide on a level beach
 STEEP = 0.5  # chosen: slope, rise over run, at which it is half as wide

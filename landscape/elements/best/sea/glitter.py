@@ -10,14 +10,14 @@ State used: two texture units with their matrices, GL_BLEND, no lighting, fog or
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, combine, matrix
+from framelens.gl.texture import Texture
 from landscape.elements import sun
 from landscape.elements.best.sea.eye_grid import EyeGrid
 from landscape.elements.fog import visibility
+from landscape.elements.settings import Settings
 from landscape.frame import Frame
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays, combine, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 LONG = 3.0  # chosen: a strip of the grid is too long if its far side is so many times farther
 FAINT = 0.22  # chosen: intensity of the sun below which even the strongest sparks stay dark

@@ -18,13 +18,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import combine, matrix, use_unit
+from framelens.gl.texture import at_most
 from landscape.frame import Frame
 from landscape.geometry.culling import is_near
-from landscape.gl.calls import gl
 from landscape.gl.copied_target import CopiedTarget
 from landscape.gl.features import possible
-from landscape.gl.state import combine, matrix, use_unit
-from landscape.gl.texture import at_most
 from landscape.gl.texture_target import TextureTarget
 
 ACROSS, DOWN = 0.6, 0.9  # chosen: texels of the mirror image per pixel of its size

@@ -8,9 +8,9 @@ State used: one texture unit and its matrix, GL_BLEND.
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays
 from landscape.elements.best.sea.mirror_image import Taken, projected
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays
 
 
 def draw_mirror(

@@ -5,9 +5,9 @@ them. So a square at the height the sea may reach is tested against the depth bu
 (gl/surface_query.py).
 """
 
+from landscape.elements.settings import Settings
 from landscape.elements.water_surface import water_square
 from landscape.gl.surface_query import SurfaceQuery
-from landscape.settings import Settings
 
 ABOVE = 0.05  # chosen: units above the water level that no wave and no breaker reaches
 

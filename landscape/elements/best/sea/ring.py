@@ -8,15 +8,15 @@ State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays
+from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.elements.water_surface import PATCHES, water_texture
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import attrib, client_arrays
-from landscape.settings import Settings
 
 STEPS = np.array([0.02, 0.05, 0.12, 0.3, 1.0])  # chosen: lines outside, as fractions of the reach
 

@@ -18,18 +18,18 @@ State used: four texture units with GL_COMBINE and crossbar (OpenGL 1.4), and th
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, combine
+from framelens.gl.texture import Texture, mip_levels
 from landscape.elements.best.sea.eye_grid import EyeGrid
 from landscape.elements.best.sea.mirror_image import Taken, projected
 from landscape.elements.best.sea.ripple_slopes import RANGE, gusts, slope_picture, slopes
 from landscape.elements.best.sea.shallows import body_picture, lit_colour
 from landscape.elements.best.sea.waves import change_of_opacity, facing, mirror_places, opacity
+from landscape.elements.settings import Settings
 from landscape.files.cache import recall
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, client_arrays, combine
-from landscape.gl.texture import Texture, mip_levels
-from landscape.settings import Settings
 
 STEEP = 0.25  # chosen: standard deviation of the slopes where water.ripples is 1
 MUTED = 0.2  # chosen: by how much a slope of 1 changes the opacity at least

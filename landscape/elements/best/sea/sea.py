@@ -20,6 +20,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.seam import drawing, drawn_now, gl
+from framelens.gl.state import attrib, client_arrays
 from landscape.elements.best.sea import ripples, serpent_wash
 from landscape.elements.best.sea.eye_grid import EyeGrid, eye_grid
 from landscape.elements.best.sea.foam import Foam
@@ -44,6 +46,7 @@ from landscape.elements.best.sea.waves import (
     waves,
 )
 from landscape.elements.reflection import inside_water
+from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.elements.water_surface import (
     WaterSurface,
@@ -55,11 +58,8 @@ from landscape.elements.water_surface import (
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import drawing, drawn_now, gl
 from landscape.gl.draw import level_square
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, client_arrays
-from landscape.settings import Settings
 
 SHOAL = 0.15  # chosen: units of depth below which the relief fades out towards the beach
 SOFT = 6.0  # chosen: mip levels by which the mirrored sky is blurred, times water.ripples

@@ -10,9 +10,9 @@ import numpy as np
 
 from landscape.elements.animal import read_animal
 from landscape.elements.best.sea.shoreline import averaged, crossings, last_foam, nearest_pieces
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
-from landscape.settings import Settings
 
 TEXELS = 256  # chosen: per side of the map
 REACH = 0.55  # chosen: units that rings run outwards

@@ -10,14 +10,14 @@ State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, combine
+from framelens.gl.texture import Texture
+from landscape.elements.settings import Settings, Sun
 from landscape.elements.sun import direction, painted
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
-from landscape.gl.calls import gl
 from landscape.gl.draw import level_square
-from landscape.gl.state import attrib, combine
-from landscape.gl.texture import Texture
-from landscape.settings import Settings, Sun
 
 SEEN = 0.45  # chosen: units of depth below which no bottom shows through the water
 # Chosen: the sea by depth in units: how much of the bottom it hides, and its colour as factors of

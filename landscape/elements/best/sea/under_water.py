@@ -28,6 +28,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays, combine, matrix
 from landscape.elements import fog, sun
 from landscape.elements.best.sea.mirror_image import MirrorImage
 from landscape.elements.best.sea.mirror_pass import draw_mirror
@@ -35,15 +37,13 @@ from landscape.elements.best.sea.waves import surface_normals, waves
 from landscape.elements.best.terrain.bed_light import PERIOD, REPEAT, SLANT
 from landscape.elements.caustic_film import MixedFilm, shipped
 from landscape.elements.reflection import MIRROR
+from landscape.elements.settings import Settings
 from landscape.elements.water_surface import wave_time
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import grid_triangles
-from landscape.gl.calls import gl
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, client_arrays, combine, matrix
-from landscape.settings import Settings
 
 INDEX = 1.333  # of refraction, of water
 # Chosen: RGB of the water around the eye, and how thick it is, per unit.

@@ -8,22 +8,22 @@ State used: GL_TEXTURE_2D, GL_BLEND, no depth writes, texture matrix. SkyBox res
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import client_arrays, matrix
+from framelens.gl.texture import Texture
+from landscape.elements.settings import Settings, Sun
 from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
-from landscape.gl.state import client_arrays, matrix
-from landscape.gl.texture import Texture
-from landscape.settings import Settings, Sun
 
 RINGS = (0.0, 0.5, 1.2, 2.2, 3.8, 6.0)  # chosen: radii of the disc, its height being 1
 SIDES = 24  # chosen: sectors of the disc
 ALPHA = 0.6  # chosen: opacity overhead
 TURN_DEG = (
-    28.0  # the wind's direction, south of east: that of the painted cirrus (studio/clouds.py)
+    28.0  # the wind's direction, south of east: that of the painted cirrus (studio/sky/clouds.py)
 )
 REPEAT = (0.11, 0.42)  # chosen: textures per unit of the disc along the wind and across it
 PINK = np.array([0.95, 0.86, 1.18])  # chosen: times a low sun's colour, as redder light gets there

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from landscape.gl.texture import halves_evenly, mean, mip_levels
+from framelens.gl.texture import halves_evenly, mean, mip_levels
 
 COARSEST = 5  # chosen: the last mip level
 

@@ -7,13 +7,13 @@ trees and the castle are left out: what mirrors this is bent, so that nobody mis
 
 import numpy as np
 
+from landscape.elements.settings import Settings
 from landscape.elements.sky_box import face_files
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_image
 from landscape.gl.cube_map import face_directions
-from landscape.settings import Settings
 
 SIDE = 64  # chosen: texels per side of a face
 COARSE = 128  # chosen: texels per side of the sky's pictures that are looked up, at most

@@ -3,7 +3,7 @@
 The technique of 2006 is in ``elements/transparent_elements.py``.
 """
 
-from landscape.settings import Settings
+from landscape.elements.settings import Settings
 
 
 def wanted(settings: Settings) -> bool:

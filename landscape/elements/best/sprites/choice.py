@@ -15,27 +15,15 @@ from landscape.elements.atlas import cell_coordinates
 from landscape.elements.best.sprites.crossings import neighbours
 from landscape.elements.best.sprites.refined_atlas import FLOWERING
 from landscape.elements.best.sprites.refined_planting import TintedSprites
-from landscape.elements.best.sprites.refined_quads import (
-    half_places,
-    on_slope,
-    still_quads,
-    turned,
-)
+from landscape.elements.best.sprites.refined_quads import half_places, on_slope, still_quads, turned
 from landscape.elements.best.sprites.rules import has_top, is_deer, radii
 from landscape.elements.best.sprites.slope_billboards import leaning
 from landscape.elements.planting import PLANT
-from landscape.elements.transparent_elements import (
-    CROSS_S,
-    CROSS_T,
-    QUAD,
-    QUAD_S,
-    QUAD_T,
-    visible,
-)
+from landscape.elements.settings import Settings
+from landscape.elements.transparent_elements import CROSS_S, CROSS_T, QUAD, QUAD_S, QUAD_T, visible
 from landscape.frame import Frame
 from landscape.geometry.culling import in_view
 from landscape.geometry.height_field import mirrored_height
-from landscape.settings import Settings
 
 FOOT = 0.07  # chosen: half a trunk's width, times the tree's width
 # Chosen: how high the picture from above lies, times the height of a plant, of a herb that flowers,

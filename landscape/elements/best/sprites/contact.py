@@ -16,10 +16,10 @@ from landscape.elements.best.sprites.refined_quads import Quads
 from landscape.elements.best.sprites.rules import is_deer
 from landscape.elements.best.sprites.slope_billboards import upright_axes
 from landscape.elements.planting import PLANT
+from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
 from landscape.elements.transparent_elements import QUAD, QUAD_S, QUAD_T
 from landscape.frame import Frame
-from landscape.settings import Settings
 
 ACROSS, ALONG = np.array([-1.0, 1.0, 1.0, -1.0]), np.array([-1.0, -1.0, 1.0, 1.0])
 PLACE = cell_coordinates(np.array([CONTACT]), np.array([False]), QUAD_S, QUAD_T, ROWS)

@@ -12,8 +12,8 @@ from landscape.elements.best.sprites.refined_atlas import HERB
 from landscape.elements.best.sprites.woods import drifts_of, outside_glades, woodland
 from landscape.elements.ground import Ground
 from landscape.elements.planting import COURT
+from landscape.elements.settings import Plants, Settings
 from landscape.geometry.height_field import greenness
-from landscape.settings import Plants, Settings
 
 # Chosen, for each herb in the order of its cells: the range of its heights as fractions of the
 # range of plants' sizes, and its picture's width over its height.

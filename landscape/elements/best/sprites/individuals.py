@@ -12,7 +12,7 @@ from landscape.elements.atlas import CELLS, COLUMNS
 from landscape.elements.best.sprites.refined_atlas import HERBS
 from landscape.elements.best.sprites.woods import drifts_of, outward
 from landscape.elements.planting import DEER, Chance
-from landscape.settings import Settings
+from landscape.elements.settings import Settings
 
 # The cells of trees and deer have the first individual; the others follow the herbs.
 FIRST = ("oak_old.png", "spruce_old.png", "birch_twin.png", "thorn.png", "stag.png", "doe.png")

@@ -39,8 +39,8 @@ from landscape.elements.planting import (
     scatter,
     site,
 )
+from landscape.elements.settings import Settings
 from landscape.geometry.height_field import HeightField, greenness
-from landscape.settings import Settings
 
 # Chosen: how green the ground is and how steep at most where deer stand, and how far in units one
 # of the fixed places is moved to such ground.

@@ -26,6 +26,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, client_arrays
+from framelens.gl.texture import Texture
 from landscape.elements.atlas import CELL, CELLS, GUTTER, mip_levels, read_cells
 from landscape.elements.best.sprites import individuals
 from landscape.elements.best.sprites.choice import LaidOut
@@ -46,24 +49,16 @@ from landscape.elements.best.sprites.refined_planting import (
 from landscape.elements.best.sprites.rules import backs_fit
 from landscape.elements.best.sprites.sprites_in_view import SpritesInView
 from landscape.elements.best.terrain.cloud_shade import cloud_light, clouds_shade
-from landscape.elements.best.terrain.shadows import (
-    SKY_HIDDEN,
-    ShadowMap,
-    cast_from,
-    cast_sprites,
-)
+from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_from, cast_sprites
 from landscape.elements.ground import Ground
 from landscape.elements.places_file import RANDOM
 from landscape.elements.planting import DEER, PLANT
+from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
 from landscape.elements.transparent_elements import CLEAR
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.frame import Frame
-from landscape.gl.calls import gl
-from landscape.gl.state import attrib, client_arrays
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 CROWN_SHADE = 0.6  # chosen: radius within which a crown blocks the sky, times the tree's width
 SHADE = 0.5  # chosen: exponent on the ground's light; a plant rises into more light

@@ -8,9 +8,9 @@ face the viewer, so one frame has the same four colours for all of them. No Open
 
 import numpy as np
 
+from landscape.elements.settings import Sun
 from landscape.elements.sun import direction, painted
 from landscape.frame import Frame
-from landscape.settings import Sun
 
 BULGE = np.sqrt(0.5)  # chosen: the cylinder's normals at a quad's sides are 45 degrees from its own
 # Chosen, by day: the colours that multiply a side in the shade, under the sky and against the sun,

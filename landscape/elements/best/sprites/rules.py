@@ -6,8 +6,8 @@ import numpy as np
 
 from landscape.elements.best.sprites.refined_quads import smoothstep
 from landscape.elements.planting import DEER, PLANT
+from landscape.elements.settings import Settings
 from landscape.frame import Frame
-from landscape.settings import Settings
 
 CROSSFADE = (0.80, 0.90, 1.0)  # chosen: times plants.crossed_within; see crossing
 # Chosen, times its width: how near the eye a plant is invisible, and how far away opaque; and the

@@ -13,11 +13,7 @@ from landscape.elements.best.sprites.choice import Choice, LaidOut, choose
 from landscape.elements.best.sprites.contact import contact_quads
 from landscape.elements.best.sprites.crossings import cut, cuts
 from landscape.elements.best.sprites.individuals import ROWS
-from landscape.elements.best.sprites.refined_atlas import (
-    FLOWERING,
-    box_corners,
-    top_coordinates,
-)
+from landscape.elements.best.sprites.refined_atlas import FLOWERING, box_corners, top_coordinates
 from landscape.elements.best.sprites.refined_quads import (
     Quads,
     edge_on,
@@ -28,18 +24,14 @@ from landscape.elements.best.sprites.refined_quads import (
 )
 from landscape.elements.best.sprites.relighting import changes, corner_light, light_at, lit
 from landscape.elements.best.sprites.rules import clearness, crossing, is_deer
-from landscape.elements.best.sprites.slope_billboards import (
-    place_axes,
-    slope_axes,
-    upright_axes,
-)
+from landscape.elements.best.sprites.slope_billboards import place_axes, slope_axes, upright_axes
 from landscape.elements.planting import PLANT
+from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, painted
 from landscape.elements.transparent_elements import HALVES, QUAD, billboards
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
 from landscape.geometry.wind import sway
-from landscape.settings import Settings
 
 # Sines of the angle at which the eye looks down on a picture from above, all chosen: between the
 # first two it fades in, between the others the upright picture fades out.

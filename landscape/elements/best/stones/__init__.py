@@ -1,6 +1,6 @@
 """What the preset `best` adds to bare ground: crags, boulders, stones and driftwood."""
 
-from landscape.settings import Settings
+from landscape.elements.settings import Settings
 
 FILE = "stones.ply"
 

@@ -21,8 +21,8 @@ from landscape.elements.best.stones.shapes import (
 from landscape.elements.best.terrain.materials import rock_share
 from landscape.elements.ground import Ground
 from landscape.elements.planting import CASTLE, DEER_POSTS, Chance, scatter
+from landscape.elements.settings import Settings
 from landscape.geometry.height_field import greenness, lookup
-from landscape.settings import Settings
 
 # Chosen: fraction of all stones that are of each kind, in the order of KINDS; the radii in units
 # between which they are, and how much rarer large ones are.

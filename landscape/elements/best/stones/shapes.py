@@ -1,8 +1,8 @@
 """The shapes of stones, read from one mesh: crags, boulders, stones, pebbles, driftwood. No OpenGL.
 
 They stand in a row in ``stones.ply``, coarser ones, for farther away, in rows behind
-(studio/stones.py). Vertices are split where the surface has an edge, so that rock looks broken, and
-where the axis changes along which the texture is projected.
+(studio/castle/stones.py). Vertices are split where the surface has an edge, so that rock looks
+broken, and where the axis changes along which the texture is projected.
 """
 
 from dataclasses import dataclass
@@ -10,11 +10,11 @@ from pathlib import Path
 
 import numpy as np
 
-from landscape.errors import InputError
+from framelens.base.errors import InputError
 from landscape.files.meshes import read_colours, read_mesh
 from landscape.geometry.mesh import vertex_normals
 
-APART = 3.0  # units from one shape to the next in the file (studio/stones.py)
+APART = 3.0  # units from one shape to the next in the file (studio/castle/stones.py)
 # How many shapes of each kind there are in the row.
 CRAG, BOULDER, STONE, PEBBLE, LOG = range(5)
 KINDS = (4, 3, 3, 2, 2)

@@ -14,12 +14,16 @@ import ctypes
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, front_faces, multiply
+from framelens.gl.texture import Texture
 from landscape.elements.best.stones import FILE
 from landscape.elements.best.stones.bodies import VERTEX, Bodies, bodies
 from landscape.elements.best.stones.scattering import strewn
 from landscape.elements.best.stones.shapes import KINDS, LOG, first_shape, read_shapes
 from landscape.elements.best.terrain.shadows import ShadowMap, cast_points
 from landscape.elements.ground import Ground
+from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
@@ -27,11 +31,7 @@ from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, in_view, is_near
 from landscape.geometry.height_field import mirrored_height
-from landscape.gl.calls import gl
 from landscape.gl.features import possible
-from landscape.gl.state import attrib, front_faces, multiply
-from landscape.gl.texture import Texture
-from landscape.settings import Settings
 
 # All chosen.
 # Diameter in pixels below which a stone is not drawn, by kind, times LIMITS; what is large stands

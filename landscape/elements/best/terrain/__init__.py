@@ -1,6 +1,6 @@
 """What the preset `best` adds to the ground."""
 
-from landscape.settings import Settings
+from landscape.elements.settings import Settings
 
 
 def wanted(settings: Settings) -> bool:

@@ -15,16 +15,16 @@ import math
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import combine
+from framelens.gl.texture import Texture
 from landscape.elements.caustic_film import CausticFilm
+from landscape.elements.settings import Settings, Sun
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
-from landscape.gl.state import combine
-from landscape.gl.texture import Texture
-from landscape.settings import Settings, Sun
 
 LAST = 3  # the last texture unit of the ground itself (materials.py)
 DEEPEST = 0.15  # chosen: units of depth at which the net has faded out

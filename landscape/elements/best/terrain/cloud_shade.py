@@ -7,8 +7,8 @@ would be needed on all that stands on the ground. No OpenGL here.
 import numpy as np
 from PIL import Image
 
+from landscape.elements.settings import Settings
 from landscape.geometry.height_field import HeightField, lookup
-from landscape.settings import Settings
 
 # All chosen.
 ACROSS = 2.6  # units: how far apart clouds are

@@ -13,10 +13,10 @@ from functools import reduce
 import numpy as np
 from PIL import Image
 
+from framelens.gl.seam import gl
+from framelens.gl.state import combine
+from framelens.gl.texture import Texture
 from landscape.geometry.height_field import greenness
-from landscape.gl.calls import gl
-from landscape.gl.state import combine
-from landscape.gl.texture import Texture
 
 MID = 0.8  # chosen: strength of the detail baked into the large texture
 TURF, SAND, ROCK = 1, 2, 4  # bits of a mixture

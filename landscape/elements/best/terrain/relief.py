@@ -8,9 +8,9 @@ in the shadow of hills. Computed at the vertices of the height field. No OpenGL 
 import numpy as np
 from PIL import Image
 
+from landscape.elements.settings import Sun
 from landscape.elements.sun import direction, painted
 from landscape.geometry.height_field import HeightField
-from landscape.settings import Sun
 
 REACH = 14.0  # chosen: units, how far a hill's shadow falls
 LOWEST = 0.22  # chosen: least rise over run of the sun's rays; lower, all land would be in shadow

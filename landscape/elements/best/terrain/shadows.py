@@ -17,8 +17,8 @@ from landscape.elements.best import stones
 from landscape.elements.best.sprites.refined_planting import planted_from
 from landscape.elements.best.terrain import wanted
 from landscape.elements.planting import Sprites
+from landscape.elements.settings import Settings, Sun
 from landscape.geometry.height_field import HeightField
-from landscape.settings import Settings, Sun
 
 LIGHT_LEFT = np.array(Sun().shade, np.float32)  # fraction of the colour in full shadow, at noon
 # All chosen.

@@ -20,6 +20,9 @@ from pathlib import Path
 
 import numpy as np
 
+from framelens.gl.seam import gl
+from framelens.gl.state import front_faces
+from framelens.gl.texture import Texture, halves_evenly
 from landscape.elements.best.sea.shallows import cut_level, submerged
 from landscape.elements.best.terrain import bed_light, wanted
 from landscape.elements.best.terrain.bed_light import BedLight, under_net
@@ -44,6 +47,8 @@ from landscape.elements.best.terrain.verdure import grained, verdant
 from landscape.elements.best.terrain.weathering import weathered
 from landscape.elements.best.terrain.wet import dampened, wet_texels
 from landscape.elements.ground import Ground, chosen, has_no_colours, lay_units, leave_units
+from landscape.elements.settings import Ground as GroundSettings
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights, read_image
@@ -52,14 +57,9 @@ from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.height_field import ground_mesh, laid_over, lookup
 from landscape.geometry.low_stretch import low_stretch_uv
 from landscape.geometry.mesh import Mesh
-from landscape.gl.calls import gl
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
-from landscape.gl.state import front_faces
-from landscape.gl.texture import Texture, halves_evenly
-from landscape.settings import Ground as GroundSettings
-from landscape.settings import Settings
 
 # A triangle's label: the materials that it has, and whether the net of light lies on it.
 EVERY, UNDER_NET = TURF | SAND | ROCK, 8

@@ -8,7 +8,7 @@ would take from them, so that ground many strides away still has a grain. No Ope
 
 import numpy as np
 
-from landscape.gl.texture import mip_levels
+from framelens.gl.texture import mip_levels
 
 # All chosen.
 BRIGHTER = 1.04  # how much lighter the sward is than the ground that it takes its colour from

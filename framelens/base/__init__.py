@@ -1,0 +1,1 @@
+"""What everything stands on: errors, arguments, whole files, fonts, texts, progress."""

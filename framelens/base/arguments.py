@@ -1,0 +1,130 @@
+"""Checks of arguments, the same for the command line and for Python.
+
+Each function takes a value of any type and returns it as the program uses it, or raises an
+InputError that names the argument and says what was expected. Numbers may be numpy's; a bool is not
+a number. ``given`` is how the error names the value: by default the argument's name and the value,
+on the command line the text that was typed. The last two functions read numbers from such a text.
+"""
+
+import math
+import operator
+import os
+from collections.abc import Iterable
+from numbers import Real
+from pathlib import Path
+from typing import Any
+
+from framelens.base.errors import InputError, short
+
+BACKENDS = ("auto", "osmesa", "egl", "glfw", "cgl", "software")
+SAMPLES = (0, 4)
+MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow less
+MAX_PIXELS = 1 << 26  # chosen: they take 1.3 GB while a picture is drawn and written
+FARTHEST = 1e9  # chosen: float32 has no fractions long before
+
+
+def plain(value: Any) -> Any:
+    """Return numpy's numbers and arrays as Python's numbers and lists; anything else unchanged."""
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def size(value: Any, given: str = "") -> tuple[int, int]:
+    """Return a width and a height in pixels, each from 1 to MAX_SIDE, MAX_PIXELS in all."""
+    sides = plain(value)
+    if not isinstance(sides, (list, tuple)) or len(sides) != 2 or None in map(_whole, sides):
+        raise InputError(f"size {short(value)}: expected a width and a height in pixels")
+    width, height = map(operator.index, map(plain, sides))
+    if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE):
+        given = given or f"size {short(width)}x{short(height)}"
+        raise InputError(f"{given}: expected from 1x1 to {MAX_SIDE}x{MAX_SIDE}")
+    if width * height > MAX_PIXELS:
+        given = given or f"size {width}x{height}"
+        raise InputError(f"{given}: expected at most {MAX_PIXELS / 1e6:.0f} megapixels")
+    return width, height
+
+
+def whole(value: Any, name: str, given: str = "") -> int:
+    """Return a whole number from 0 to 10**18 - 1."""
+    number = _whole(value)
+    if number is None or not 0 <= number < 10**18:
+        raise InputError(f"{given or f'{name} {short(value)}'}: expected a whole number from 0")
+    return number
+
+
+def number(value: Any, name: str, given: str = "") -> float:
+    """Return a finite number below FARTHEST, positive or negative."""
+    found = finite(value)
+    if found is None:
+        raise InputError(f"{given or f'{name} {short(value)}'}: expected a number")
+    return found
+
+
+def choice(value: Any, name: str, choices: tuple[Any, ...], given: str = "") -> Any:
+    """Return the one of ``choices``, all strings or all whole numbers, that ``value`` equals."""
+    found = value if isinstance(choices[0], str) else _whole(value)
+    if not isinstance(found, type(choices[0])) or found not in choices:
+        listed = ", ".join(map(str, choices))
+        raise InputError(f"{given or f'{name} {short(value)}'}: expected one of {listed}")
+    return found
+
+
+def flag(value: Any, name: str) -> bool:
+    """Return True or False, which must be given as such."""
+    found = plain(value)
+    if not isinstance(found, bool):
+        raise InputError(f"{name} {short(value)}: expected True or False")
+    return found
+
+
+def names(value: Any, name: str) -> tuple[str, ...]:
+    """Return names given as a text with commas, or as a collection of strings."""
+    if isinstance(value, str):
+        return tuple(each.strip() for each in value.split(","))
+    found = tuple(value) if isinstance(value, Iterable) else (value,)
+    if not all(isinstance(each, str) for each in found):
+        raise InputError(f"{name} {short(value)}: expected names, such as ground,water")
+    return found
+
+
+def folder(value: Any, name: str) -> Path:
+    """Return a path given as text or as a path; whether it is a folder is not checked."""
+    if not isinstance(value, (str, os.PathLike)) or not isinstance(os.fspath(value), str):
+        raise InputError(f"{name} {short(value)}: expected a folder")
+    return Path(value)
+
+
+def _whole(value: Any) -> int | None:
+    """Return a whole number as an int; None for anything else."""
+    value = plain(value)
+    if isinstance(value, bool):
+        return None
+    try:
+        return operator.index(value)
+    except TypeError:
+        return None
+
+
+def finite(value: Any) -> float | None:
+    """Return a finite number below FARTHEST as a float; None for anything else."""
+    value = plain(value)
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return None
+    try:
+        found = float(value)
+    except (OverflowError, ValueError, TypeError):
+        return None
+    return found if math.isfinite(found) and abs(found) < FARTHEST else None
+
+
+def digits(text: str) -> int | str:
+    """Return a text of ASCII digits as a number; it stays a text if there is anything else."""
+    # No number of 20 digits is allowed anywhere, and Python converts none of thousands.
+    return int(text.lstrip("0")[:20] or 0) if text.isascii() and text.isdigit() else text
+
+
+def real(text: str) -> float | str:
+    """Return a text as a number; it stays a text if it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return text

@@ -1,0 +1,71 @@
+"""The errors that users see as one line, and how a line shows a value that was given."""
+
+import re
+import reprlib
+import sys
+import traceback
+from typing import Any
+
+from framelens.base.packages import speaker
+
+
+class InputError(ValueError):
+    """Bad input: one line that names the file or the key and what was expected (exit status 2)."""
+
+
+class NoOpenGLError(RuntimeError):
+    """No usable OpenGL: one line that names the package to install (exit status 3)."""
+
+
+class UnexpectedError(RuntimeError):
+    """A defect of this program that another process met; ``details`` is the traceback there."""
+
+    def __init__(self, reason: str, details: str = "") -> None:
+        super().__init__(reason)
+        self.details = details
+
+
+PLACE = re.compile(r'^  File "(.+)", line (\d+)', re.MULTILINE)  # as a traceback says it
+UNEXPECTED = 70  # the exit status for a defect of this program: EX_SOFTWARE of sysexits.h
+
+
+def say_unexpected(error: BaseException) -> int:
+    """Print that this program has a defect: what and where, then the traceback; return UNEXPECTED.
+
+    On standard error: what a command prints stays what it is documented to be.
+    """
+    if sys.stderr is not None:  # a program of Windows without a console has none
+        what, details = located(error), "".join(traceback.format_exception(error))
+        if isinstance(error, UnexpectedError):
+            what, details = str(error), error.details or details
+        print(f"{speaker()}: a defect of this program: {what}", file=sys.stderr)
+        print(details, end="", file=sys.stderr, flush=True)
+    return UNEXPECTED
+
+
+def located(error: BaseException) -> str:
+    """Return on one line what an error is, and where it was raised."""
+    reason = " ".join(str(error).split())
+    what = f"{type(error).__name__}: {reason}" if reason else type(error).__name__
+    # A pool raises an error of its processes once more, with the traceback there as its cause.
+    cause = error.__cause__
+    remote = str(cause) if type(cause).__name__ == "_RemoteTraceback" else ""
+    return what + raised_at(remote or "".join(traceback.format_tb(error.__traceback__)))
+
+
+def raised_at(trace: str) -> str:
+    """Return where a traceback ends, as ``, in FILE, line N``; "" if the text has no place."""
+    places = PLACE.findall(trace)
+    return ", in {}, line {}".format(*places[-1]) if places else ""
+
+
+_REPR = reprlib.Repr()
+_REPR.maxstring = _REPR.maxlong = _REPR.maxother = 60  # characters, chosen
+
+
+def short(value: Any) -> str:
+    """Return a value as Python writes it, on one line and truncated if it is long."""
+    try:
+        return " ".join(_REPR.repr(value).split())
+    except ValueError:  # Python converts no integer of more than 4300 digits to text
+        return "a number of thousands of digits"

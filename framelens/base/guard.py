@@ -1,0 +1,232 @@
+"""A process of its own for somebody else's program, so that each way to fail ends in one line.
+
+It can end what no exception ends: a loop inside a C function, which leaves Python no time for
+signals; a crash of OpenGL, which has read past the end of an array; memory taken without bounds.
+The process is a copy of the command's where that is possible; elsewhere the command is started
+once more, and passes on what it says.
+"""
+
+import mmap
+import os
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import NoReturn, Protocol
+
+from framelens.base.errors import UNEXPECTED, InputError, say_unexpected
+from framelens.system import limits
+
+GRACE = 2.0  # chosen: seconds that a program has to end by itself, once its time is over
+MEMORY = 1 << 30  # chosen: bytes that a program may take
+# Chosen: with a window on a screen. The driver of a graphics card takes its part of it.
+MEMORY_ON_SCREEN = 4 << 30
+RESERVE = 1 << 20  # chosen: bytes
+PAUSE = 0.01  # chosen: seconds between two looks at the process
+SHORT_ARRAY = "where an array is shorter than it was told"  # how OpenGL crashes
+# Tells a command that it was started as the program's own process: the parent's number, and the
+# file of _shared.
+VARIABLE = "LANDSCAPE_GUARDED"
+# What both processes see: when the program's will be ended if it has spent so many seconds of the
+# processor, and when in any case; and whether it ended by itself.
+SHARED = struct.Struct("ddd?")
+
+_now = time.monotonic  # the true clock, the same in both processes
+_spent = time.thread_time
+_shared: mmap.mmap = mmap.mmap(-1, SHARED.size)
+_alone = False  # whether this process is the program's own
+_reserve = b""  # memory for what is done when the program has none left
+_most: int | None = None  # bytes that the process may have while the program goes on
+_given = MEMORY  # bytes that the program may take
+
+
+def guarded(path: str, work: Callable[[], int]) -> int:
+    """Return the exit status of ``work``, done by a process of its own.
+
+    What it raises and does not foresee is told there. InputError if the process crashes or has to
+    be ended.
+    """
+    if VARIABLE in os.environ:
+        _join(os.environ.pop(VARIABLE))
+        _work_alone(work)
+    print(end="", flush=True)
+    if sys.platform != "win32" and limits.FORKS:
+        from framelens.system.copying import copy
+
+        child = copy()
+        if child is None:
+            _work_alone(work)
+        return _await(child, path)
+    with _started() as process:
+        return _await(process, path)
+
+
+def _work_alone(work: Callable[[], int]) -> NoReturn:
+    """Do the work in the program's own process, and end that."""
+    global _alone
+    _alone = True
+    limits.limit_memory(None)
+    _print_apart()
+    status = UNEXPECTED
+    try:
+        status = work()
+        print(end="", flush=True)
+    except SystemExit as end:
+        status = end.code if isinstance(end.code, int) else 1
+    except BaseException as error:
+        say_unexpected(error)
+    finally:
+        _share(0.0, ended=True)
+        # What the program has left behind must not keep the process from its end.
+        os._exit(status)
+
+
+def go_on(seconds: float, memory: int = 0, wait: float = 0.0) -> None:
+    """Say that the program goes on, for so many seconds at most.
+
+    It may take so many bytes of memory; 0 is without limit. Where it may ``wait`` for longer, the
+    seconds are those of the processor, for its main thread.
+    """
+    global _given, _most, _reserve
+    if not _alone:
+        return
+    first = _now() + seconds + GRACE
+    _share(first, _spent() + seconds + GRACE, max(first, _now() + wait + GRACE))
+    if memory:
+        _reserve = _reserve or bytes(RESERVE)
+        if _most is None:
+            _most = limits.used() + memory
+            _given = memory
+        limits.limit_memory(_most)
+
+
+def stand_by() -> None:
+    """Say that the program waits or has ended: nothing is limited."""
+    global _reserve
+    _reserve = b""
+    if _alone:
+        _share(0.0)
+        limits.limit_memory(None)
+
+
+def memory() -> str:
+    """Return the limit in words, for a program that has run out of memory."""
+    return f" (it may take {_given >> 20} MB)" if _alone else ""
+
+
+def _share(deadline: float, spent: float = 0.0, last: float = 0.0, ended: bool = False) -> None:
+    """Tell the other process when the program is to be ended, 0 for never; or that it has.
+
+    From the deadline on it is if its main thread has spent so many seconds, and at ``last``.
+    """
+    _shared[:] = SHARED.pack(deadline, spent, last, ended)
+
+
+def _print_apart() -> None:
+    """Let only sys.stdout write to standard output: a program's own prints would be amid ours."""
+    own = os.dup(1)
+    os.dup2(2, 1)
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    # On Windows `open` knows a console, which wants no bytes.
+    sys.stdout = open(own, "w", encoding=encoding, errors="backslashreplace")  # noqa: SIM115
+
+
+@contextmanager
+def _started() -> Iterator["subprocess.Popen[bytes]"]:
+    """Start this command once more, as the program's own process."""
+    global _shared
+    with tempfile.TemporaryDirectory(prefix="landscape-") as folder:
+        file = os.path.join(folder, "shared")
+        _shared = _mapped(file)
+        try:
+            with subprocess.Popen(
+                [sys.executable, *sys.orig_argv[1:]],
+                env={**os.environ, VARIABLE: f"{os.getpid()} {file}"},
+            ) as process:
+                yield process
+        finally:
+            _shared.close()  # Windows deletes no file that is mapped
+
+
+def _mapped(file: str) -> mmap.mmap:
+    """Return a file of SHARED in memory; it is written if it is not there."""
+    number = os.open(file, os.O_RDWR | os.O_CREAT)
+    try:
+        os.truncate(number, SHARED.size)
+        return mmap.mmap(number, SHARED.size)
+    finally:
+        os.close(number)
+
+
+def _join(parent: str) -> None:
+    """Let this process run the program; ``parent`` is the value of VARIABLE."""
+    global _shared
+    number, _, file = parent.partition(" ")
+    limits.end_with(int(number))
+    _shared = _mapped(file)
+
+
+class _Child(Protocol):
+    """The program's process, seen by its parent; a Popen is one."""
+
+    pid: int
+
+    def poll(self) -> int | None:
+        """Return the exit status, or minus the signal that ended it; None while it runs."""
+
+    def kill(self) -> None:
+        """End it at once."""
+
+    def terminate(self) -> None:
+        """Ask it to end."""
+
+
+def _await(child: _Child, path: str) -> int:
+    """Return the exit status of the process."""
+    # Ctrl-C reaches both, and the process says so; if nothing can interrupt it, it is ended.
+    before = signal.signal(signal.SIGINT, lambda *_: _end_soon())
+    try:
+        status, late = _watch(child)
+    except SystemExit:  # we are to end
+        child.terminate()
+        _end_soon()
+        _watch(child)
+        raise
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+    if late:
+        raise InputError(f"{path}: was ended within one call that nothing can interrupt")
+    if SHARED.unpack(_shared[:])[-1]:
+        return status
+    crash = limits.crash(status)
+    if crash == limits.KILLED:
+        raise InputError(f"{path}: was killed, as the system does where memory runs out")
+    if not crash:
+        raise InputError(f"{path}: ended its own process (status {status})")
+    if crash == limits.GAVE_UP:
+        raise InputError(f"{path}: was ended ({crash}) by a library of C that could not go on")
+    raise InputError(f"{path}: crashed ({crash}), as OpenGL does {SHORT_ARRAY}")
+
+
+def _end_soon() -> None:
+    _share(_now() + GRACE)
+
+
+def _watch(child: _Child) -> tuple[int, bool]:
+    """Return how the process ended, as its ``poll`` does, and whether it was too late."""
+    late = False
+    while True:
+        status = child.poll()
+        if status is not None:
+            return status, late
+        deadline, spent, last, _ = SHARED.unpack(_shared[:])
+        due = deadline and _now() > deadline and not late
+        if due and (_now() > last or limits.thread_time(child.pid) > spent):
+            late = True
+            child.kill()
+        time.sleep(PAUSE)

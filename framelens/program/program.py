@@ -1,0 +1,539 @@
+"""Any PyOpenGL program, run unchanged to a chosen frame with its clock held still.
+
+``run("program.py", 5, observer=observer)`` executes the program as ``python program.py`` would: as
+``__main__``, with its arguments, its folder importable, in the user's folder. Its window is hidden.
+A frame ends where the program shows it: glfw.swap_buffers, glutSwapBuffers, pygame.display.flip;
+frame 0 begins when the context becomes current, so what is set up belongs to it. The observer is
+called inside the program, in its context. After the chosen frame the program is unwound by an
+exception that it cannot mistake for one of its own, and whatever was replaced is put back.
+
+Time, random numbers and events are the same in each run: see program_clock.py, program_events.py.
+"""
+
+import contextlib
+import io
+import os
+import sys
+import threading
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import FrameType, ModuleType
+from typing import Any, Protocol, TextIO
+
+from framelens.base import guard
+from framelens.base.arguments import size
+from framelens.base.errors import InputError, NoOpenGLError
+from framelens.gl.contexts.glfw import no_context
+from framelens.gl.contexts.software import check_renderer
+from framelens.gl.extensions import profile_mask
+from framelens.gl.foreign import Make, beside, patched
+from framelens.gl.notes import files_beside, qualified
+from framelens.gl.seam import Site, gl, unrecorded, use_lists
+from framelens.gl.window_framebuffer import WindowFramebuffer
+from framelens.program.program_clock import Clock
+from framelens.program.program_events import Event, Queue, read_events
+from framelens.program.program_failure import count, late, raised
+from framelens.program.program_input import Input
+from framelens.program.program_prints import Prints
+from framelens.program.program_process import Unwind, as_main, forget
+from framelens.program.program_source import ProgramError, Source, read_source
+from framelens.program.watchdog import Watchdog
+from framelens.spec import spec
+
+SHADERS = ("Shader", "Program")  # parts of the names of all functions for shaders
+POLLS = (
+    2  # turns of a loop that draws without a swap until it counts as one that never swaps; chosen
+)
+LIMIT = 15.0  # seconds that a program may take to its frame, chosen
+
+
+Chain = tuple[tuple[str, int], ...]
+"""The lines of a program that led to a call, (function, line), the outermost first."""
+
+
+def chain(frame: FrameType | None, path: str) -> Chain:
+    """Return the program's lines that led to a call, the outermost first."""
+    lines: list[tuple[str, int]] = []
+    while frame is not None:
+        if frame.f_code.co_filename == path:
+            lines.append((qualified(frame.f_code), frame.f_lineno))
+        frame = frame.f_back
+    return tuple(reversed(lines))
+
+
+@dataclass
+class Window:
+    """The program's window. ``size()`` is that of what it draws to, in pixels.
+
+    ``early``: the first function that was called without a context, in vain, and the line.
+    """
+
+    toolkit: str  # glfw, glut, pygame or qt
+    backend: str  # osmesa, egl or cgl: without a screen; glfw: on one
+    size: Callable[[], tuple[int, int]]
+    double_buffered: bool = True
+    hidden: bool = False  # on a screen, and not shown; or without a framebuffer of its own
+    core_profile: bool = field(default=False, init=False)  # without fixed function
+    early: tuple[str, int] | None = field(default=None, init=False)
+    early_calls: list[tuple[str, tuple[Any, ...], Any, Site]] = field(
+        default_factory=list, init=False
+    )
+    early_line: int = field(default=0, init=False)  # that comes too early, beside the opening one
+    showing: "Showing" = field(default_factory=lambda: Showing(), init=False)
+
+
+@dataclass
+class Showing:
+    """How the program shows its frames, which is what a window on a screen goes by.
+
+    ``way`` says what ended the frame: "swap"; "flush", of a single-buffered window; "callback", a
+    display callback of GLUT that returned without a swap; "never", a loop that draws, asks for
+    events and swaps nothing. ``line`` is the program's line that did so, 0 if none.
+    """
+
+    way: str = ""
+    line: int = 0
+    forced: bool = False  # nobody asked for this redraw: a window would not show it
+    stirred: bool = False  # timers, the idle callback or events have come before it
+    again: bool = False  # the display callback, or the loop, has shown a frame before this one
+    flushed: bool = False  # glFlush or glFinish since the frame began
+
+
+class Observer(Protocol):
+    """Who watches a program. The methods are called inside it, with its context current."""
+
+    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return what takes the place of an OpenGL function (see framelens.gl.foreign)."""
+
+    def opened(self, window: Window) -> None:
+        """Note that the context has just become current, in its default state."""
+
+    def frame_began(self, number: int) -> None:
+        """Note that a frame begins."""
+
+    def frame_ended(self, number: int) -> Any:
+        """Note that a frame is complete and not yet shown: its picture is in the back buffer.
+
+        ``run`` returns what this returns for the last frame.
+        """
+
+    def notice(self, text: str) -> None:
+        """Take a sentence for the user: shaders, for instance, are not shown."""
+
+
+class Live(Protocol):
+    """A user at the program's window, which then is visible, and a window of GLFW."""
+
+    def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
+        """Take GLFW as it is, the window, and the names of keys in events, by GLFW's numbers."""
+
+    def events(self, wait: bool = False) -> list[Event]:
+        """Return what the user does with the program; ``wait`` until there is something.
+
+        Nothing, where the program is to draw its picture again.
+        """
+
+
+class Host(Protocol):
+    """A window that stays, where one program after another is shown; its context is current.
+
+    A program takes its area for the whole window: the lower left part.
+    """
+
+    window: Any
+
+    def area(self) -> tuple[int, int]:
+        """Return the area's size in the window system's coordinates."""
+
+    def pixels(self) -> tuple[int, int]:
+        """Return the area's size in pixels."""
+
+    def seconds(self) -> float:
+        """Return the true time, by which the program's clock goes."""
+
+
+class Run:
+    """A program while it runs; the toolkits' modules call its methods."""
+
+    def __init__(
+        self,
+        source: Source,
+        frame: int | None,
+        events: list[Event],
+        backend: str,
+        observer: Any,
+        live: "Live | None" = None,
+        host: "Host | None" = None,
+    ) -> None:
+        self.source = source
+        self.backend = backend
+        self.host = host
+        self.clock = Clock(host.seconds if host is not None else None)
+        self.events = Queue(events)
+        self.frames = 0  # that were completed
+        self.drew = False  # whether anything was drawn since the last frame's end
+        self.window: Window | None = None
+        self.drawing = False  # whether the window is open
+        self.failure: BaseException | None = None  # what ended the program, if not its frame
+        self.result: Any = None
+        self.reason = ""  # why there is no window, if the toolkit said so
+        self.over = False
+        self.framebuffer: WindowFramebuffer | None = None  # in the place of the window's own
+        self.watchdog: Watchdog | None = None
+        self.live = live
+        self._frame = frame
+        self._observer = observer
+        self._noticed: set[str] = set()
+        self._early: tuple[str, int] | None = None
+        self._early_chain: Chain = ()
+        self.early_calls: list[tuple[str, tuple[Any, ...], Any, Site]] = []  # without a context
+        self.showing = Showing()
+        self._polls = 0  # since the last frame
+        self._process = os.getpid()
+
+    def refuse(self, reason: str) -> Unwind:
+        """Return what to raise in the program because it cannot go on."""
+        return self.stop(ProgramError(f"{self.source.path}: {reason}"))
+
+    def stop(self, failure: BaseException) -> Unwind:
+        """Return what to raise in the program; ``run`` will raise ``failure``."""
+        if self.failure is None and not self.over:
+            self.failure = failure
+        self.over = True
+        return Unwind()
+
+    def check(self) -> None:
+        """End the program once more, if it went on after it had been ended."""
+        if self.over:
+            raise Unwind
+
+    def notice(self, text: str) -> None:
+        """Tell the user something, once."""
+        if text not in self._noticed:
+            self._noticed.add(text)
+            with self._watched():
+                self._observer.notice(f"{self.source.path}: {text}")
+
+    def open(self, window: Window) -> None:
+        """Begin frame 0: the window's context has become current for the first time."""
+        self.window = window
+        self.drawing = True
+        unrecorded.clear()
+        window.early, window.early_calls = self._early, self.early_calls
+        window.showing = self.showing
+        opened_by = chain(sys._getframe(1), str(self.source.path))
+        for early, here in zip(self._early_chain, opened_by, strict=False):
+            if early != here:
+                window.early_line = early[1]
+                break
+
+        use_lists({})
+        if gl.glGetString(gl.GL_VERSION) is None:
+            raise self.refuse(f"its context has no OpenGL, or {no_context()}")
+        if self.backend == "software":
+            check_renderer()
+        if window.hidden and WindowFramebuffer.possible():
+            self.framebuffer = WindowFramebuffer(window.size(), window.double_buffered)
+        window.core_profile = bool(profile_mask() & 1)
+        if window.core_profile:
+            self.notice(
+                "asks for a core profile, which has no fixed function; its calls are shown, but "
+                "not what shaders do"
+            )
+
+        if self.source.past:
+            self.notice(f"calls of OpenGL by {self.source.past}, past PyOpenGL, are not seen")
+        with self._watched():
+            self._observer.opened(window)
+            self._observer.frame_began(0)
+        if self._early is not None:
+            name, line = self._early
+            opening = self.source.opening
+            self.notice(f"line {line}: {name} is called before {opening}, so it has no effect")
+
+    def closed(self) -> None:
+        """Note that the window is about to be closed."""
+        self.drawing = False
+        WindowFramebuffer.leave()
+
+    def called_early(self, name: str, args: tuple[Any, ...], result: Any, site: Site) -> None:
+        """Note that the program calls OpenGL before it has a context."""
+        if site.path != str(self.source.path):
+            return
+        self.early_calls.append((name, args, result, site))
+        if self._early is None:
+            self._early = name, site.line
+            self._early_chain = chain(sys._getframe(1), str(self.source.path))
+
+    def sized(self, width: Any, height: Any) -> tuple[int, int]:
+        """Return the size of the window that the program asks for; end it if it is too large."""
+        try:
+            return size((width, height))
+        except InputError as error:
+            raise self.refuse(f"opens a window of {str(error).removeprefix('size ')}") from None
+
+    def second_window(self) -> Unwind:
+        """Return what to raise in a program that opens another window."""
+        return self.refuse("opens two windows; only programs with one can be run to a frame")
+
+    def polled(self) -> None:
+        """Note that the program asks for events; a loop that draws and never swaps ends a frame."""
+        self._polls += 1
+        self.showing.again = False
+        alone = self.live is None and self.host is None
+        if self._polls > POLLS and self.drawing and self.frames == 0 and self.drew and alone:
+            self.end_frame("never")
+            self.begin_frame()
+
+    def _line(self) -> int:
+        """Return the program's own line that is being executed, 0 if none."""
+        at: FrameType | None = sys._getframe(1)
+        path = str(self.source.path)
+        while at is not None:
+            if at.f_code.co_filename == path:
+                return at.f_lineno
+            at = at.f_back
+        return 0
+
+    def end_frame(self, way: str = "swap") -> None:
+        """End a frame, in the program's call that shows it and before it does so.
+
+        ``way`` is that of :class:`Showing`.
+        """
+        if os.getpid() != self._process:
+            os._exit(0)  # a copy of the program, which it has made itself
+        self.check()
+        if self.window is None:
+            raise self.refuse(f"shows a frame before {self.source.opening}")
+        if not self.drawing:
+            raise self.refuse("shows a frame of a window that it has closed")
+        self.showing.way, self.showing.line = way, self._line()
+        with self._watched():
+            self.result = self._observer.frame_ended(self.frames)
+        self.frames += 1
+        self.drew = False
+        if self._frame is not None and self.frames > self._frame:
+            self.over = True
+            raise Unwind
+
+    def begin_frame(self) -> None:
+        """Begin the next frame, after the last one was shown."""
+        self.showing = Showing(again=True)
+        if self.window is not None:
+            self.window.showing = self.showing
+        self._polls = 0
+        self.clock.begin_frame(self.frames)
+        with self._watched():
+            self._observer.frame_began(self.frames)
+
+    @contextmanager
+    def _watched(self) -> Iterator[None]:
+        """Let the observer work: in true time, without limit; what it raises ends the program."""
+        try:
+            with self.clock.released(), self.watchdog.paused() if self.watchdog else ExitStack():
+                yield
+        except BaseException as error:
+            raise self.stop(error) from None
+
+    def uses_shaders(self) -> None:
+        """Tell the user that shaders are not explained, once."""
+        self.notice("uses shaders; its calls are shown, but this tool explains fixed function")
+
+    def draws(self) -> None:
+        """Note that the program draws."""
+        self.drew = True
+
+    def flushed(self) -> None:
+        """End a frame of a single-buffered window; one of GLUT ends with the callback that drew."""
+        window = self.window
+        self.showing.flushed = True
+        if self.drawing and window and not window.double_buffered and window.toolkit != "glut":
+            self.end_frame("flush")
+            self.begin_frame()
+
+    def failed(self, error: BaseException) -> bool:
+        """Let the observer look at what the program had done when it raised an error.
+
+        Return whether it has: then the program counts as run.
+        """
+        look = getattr(self._observer, "failed", None)
+        if look is None or not self.drawing or self.over:
+            return False
+        with self._watched():
+            self.result = look(error)
+        self.over = self.result is not None
+        return self.over
+
+
+_prepared = False
+_runs: list[Run] = []  # the program that runs with functions that were prepared
+
+
+@contextmanager
+def prepared(make: Make) -> Iterator[None]:
+    """Replace OpenGL's functions for all programs that run inside the block.
+
+    That takes longer than most programs, and a process that was forked need not do it again.
+    ``make`` is that of their observers. The platform of PyOpenGL must have been chosen.
+    """
+    global _prepared
+    with _functions(make, lambda: _runs[-1] if _runs else None):
+        _prepared = True
+        try:
+            yield
+        finally:
+            _prepared = False
+
+
+def _functions(make: Make, running: Callable[[], Run | None]) -> AbstractContextManager[None]:
+    """Replace OpenGL's functions; some of their calls also concern the program that runs."""
+
+    def tell(method: Callable[[Run], None]) -> Callable[[], None]:
+        def told() -> None:
+            if (state := running()) is not None:
+                method(state)
+
+        return told
+
+    def made(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        new = make(name, function)
+        if any(word in name for word in SHADERS):
+            return beside(new, before=tell(Run.uses_shaders))
+        if spec.draws(name) or name in ("glCallList", "glCallLists"):
+            return beside(new, before=tell(Run.draws))
+        if name in ("glFlush", "glFinish"):
+            return beside(new, after=tell(Run.flushed))
+        return new
+
+    return patched(made)
+
+
+def run(
+    path: str | Path,
+    frame: int | None = 0,
+    events: Any = None,
+    arguments: Sequence[str] = (),
+    backend: str = "auto",
+    limit: float | None = None,
+    *,
+    stdin: TextIO | None = None,
+    observer: Observer,
+    live: Live | None = None,
+    host: Host | None = None,
+) -> Any:
+    """Run a program to the end of a frame and return what the observer made of it.
+
+    ``frame``: from 0; None runs the program until it ends. ``events``: a file or a list (see
+    program_events.py). ``backend``: as for our own drawing; GLUT needs a screen. ``limit``: seconds
+    that the program itself may take, LIMIT by default (see watchdog.py). ``stdin``: what it reads
+    as standard input; there is none by default. ``live``: who uses the window meanwhile.
+    ``host``: a window to run it in, where it has none of its own; then its clock is not held.
+    Raises NoOpenGLError, and ProgramError, whose ``details`` hold the program's own traceback.
+    """
+    if frame is not None and (type(frame) is not int or frame < 0):
+        raise InputError(f"frame {frame}: expected a whole number from 0")
+    limit = LIMIT if limit is None else limit
+    source = read_source(Path(path))
+    state = Run(source, frame, read_events(events), backend, observer, live, host)
+    if host is not None and source.toolkit in ("glut", "pygame", "qt"):
+        raise ProgramError(f"{source.path}: a lecture shows GLFW programs only")
+    toolkit = _toolkit(source)
+    with ExitStack() as stack:
+        stack.callback(guard.stand_by)
+        waiting = lambda: state.watchdog.paused() if state.watchdog else ExitStack()  # noqa: E731
+        given = Input(stdin, waiting) if stdin is not None else io.StringIO()
+        stack.enter_context(files_beside(source.path))
+        stack.enter_context(as_main(source, [str(path), *arguments], given))
+        prints = Prints()
+        stack.callback(prints.end)
+        stack.enter_context(contextlib.redirect_stdout(prints))
+        stack.enter_context(toolkit(state))
+        if source.toolkit != "pygame" and "pygame" in source.modules:
+            stack.enter_context(_pygame_beside(state))
+        if _prepared:
+            stack.callback(_runs.remove, state)
+            _runs.append(state)
+        else:
+            stack.enter_context(_functions(observer.make, lambda: state))
+        module = ModuleType("__main__")
+        module.__dict__.update(__file__=str(path), __builtins__=__builtins__)
+        stack.callback(forget, module, set(threading.enumerate()))
+        sys.modules["__main__"] = module
+        stack.enter_context(state.clock.holding())
+        stack.callback(unrecorded.clear)
+        unrecorded.append(state.called_early)
+        state.watchdog = Watchdog(limit, lambda: state.stop(late(state, frame, limit)))
+        with state.watchdog:
+            _execute(state, module)
+        guard.go_on(1.0)  # its objects may do anything when they are deleted
+
+    if state.failure is not None:
+        raise state.failure
+    if not state.over and state.window is None:
+        reason = f" ({state.reason})" if state.reason else ""
+        raise ProgramError(f"{path}: ended without opening a window for OpenGL{reason}")
+    if not state.over and frame is not None:
+        raise ProgramError(f"{path}: ended after {count(state.frames)}; frame {frame} was asked")
+    return state.result
+
+
+def _toolkit(source: Source) -> Callable[[Run], Any]:
+    """Return what prepares the toolkit of a program, for the time that it runs."""
+    if source.toolkit == "glfw":
+        from framelens.program.program_glfw import glfw_program
+
+        return glfw_program
+    if source.toolkit == "pygame":
+        from framelens.program.program_pygame import pygame_program
+
+        return pygame_program
+    if source.toolkit == "glut":
+        from framelens.program.program_glut import glut_program
+
+        return glut_program
+    if source.toolkit == "qt":
+        from framelens.program.program_qt import qt_program
+
+        return qt_program
+    raise ProgramError(f"{source.path}: {_without_toolkit(source)}")
+
+
+def _pygame_beside(state: Run) -> AbstractContextManager[None]:
+    from framelens.program.program_pygame import pygame_beside
+
+    return pygame_beside(state)
+
+
+def _without_toolkit(source: Source) -> str:
+    """Return why a program cannot be run to a frame that uses none of our toolkits."""
+    if not source.other:
+        return "imports neither glfw, pygame nor OpenGL.GLUT, so it opens no window that we know"
+    past = ""
+    if source.past:
+        past = f"; it may also call OpenGL by {source.past}, past PyOpenGL"
+    return (
+        f"opens its window with {source.other}; programs can be looked into that open it with "
+        f"GLFW, GLUT or pygame, or draw in a QOpenGLWidget{past}"
+    )
+
+
+def _execute(state: Run, module: ModuleType) -> None:
+    """Run the program's code; what ends it goes into ``state``."""
+    try:
+        try:
+            exec(state.source.code, module.__dict__)
+        except SystemExit as end:
+            if isinstance(end.code, str):
+                print(end.code, file=sys.stderr)
+    except Unwind:
+        pass
+    except (KeyboardInterrupt, NoOpenGLError) as error:
+        state.stop(error)
+    except BaseException as error:
+        if not state.failed(error):
+            state.stop(raised(state.source.path, error))
+        # The frames hold the program's objects, which must go while its context is there.
+        traceback.clear_frames(error.__traceback__)

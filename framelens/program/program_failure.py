@@ -1,0 +1,103 @@
+"""How a program has failed, as one line: what it raised, and where; or what it did not reach."""
+
+import os
+import traceback
+from collections.abc import Iterator
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from framelens.base import guard
+from framelens.base.packages import FRAMELENS, speaker
+from framelens.program.program_source import ProgramError
+
+if TYPE_CHECKING:
+    from framelens.program.program import Run
+
+OURS = f"{FRAMELENS.folder}{os.sep}"
+# What OpenGL's errors say of a call, by PyOpenGL's words for them.
+MEANINGS = {
+    "invalid enumerant": "a name is not one that it accepts",
+    "invalid value": "a number is not one that it accepts",
+    "invalid operation": "it is not allowed at this moment",
+    "stack overflow": "more is pushed than popped",
+    "stack underflow": "less was pushed than is popped",
+}
+NO_INPUT = "it asks for input; it gets what the command does, as in `echo 5 | {speaker} trace ...`"
+# On Windows, ctypes makes an exception of a crash in a function of C.
+CAUGHT = "OSError: exception: "
+
+
+def raised(path: Path, error: BaseException) -> ProgramError:
+    """Return the error to show for what a program raised, with its own part of the traceback."""
+    guard.stand_by()  # to say what it was needs memory, too
+    calls = [at for at in _traceback(error) if at.tb_frame.f_code.co_filename == str(path)]
+    shown = error.with_traceback(calls[0] if calls else None)
+    details = "".join(_without_ours(traceback.TracebackException.from_exception(shown)).format())
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        name = error.name.split(".")[0]
+        if name not in ("OpenGL", path.stem):
+            return ProgramError(f"{path}: needs the Python package {name}, not installed", details)
+
+    try:
+        text = str(error).strip().splitlines()
+    except Exception:  # the program's own error may be unable to say what it is
+        text = []
+
+    reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
+    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
+        reason = _of_opengl(error)
+    if reason.startswith(CAUGHT):
+        reason += f", as OpenGL does {guard.SHORT_ARRAY}"
+    if isinstance(error, MemoryError):
+        reason += guard.memory()
+    if isinstance(error, EOFError):
+        reason += f" ({NO_INPUT.format(speaker=speaker())})"
+
+    # The last of the program's own lines, which calls what is not its own.
+    line = f", line {calls[-1].tb_lineno}" if calls else ""
+    return ProgramError(f"{path}{line}: the program raised {reason}", details)
+
+
+def _without_ours(
+    shown: traceback.TracebackException,
+) -> traceback.TracebackException:
+    """Leave the functions out that stand in for a toolkit's: the program called the toolkit."""
+    kept = [call for call in shown.stack if not call.filename.startswith(OURS)]
+    shown.stack = traceback.StackSummary.from_list(kept)
+    for other in (shown.__cause__, shown.__context__):
+        if other is not None:
+            _without_ours(other)
+    return shown
+
+
+def _traceback(error: BaseException) -> Iterator[TracebackType]:
+    """Yield the calls that led to an exception, from the outermost."""
+    at = error.__traceback__
+    while at is not None:
+        yield at
+        at = at.tb_next
+
+
+def _of_opengl(error: Any) -> str:
+    said = bytes(error.description or b"").decode(errors="replace")
+    meaning = f": {MEANINGS[said]}" if said in MEANINGS else ""
+    function = getattr(error.baseOperation, "__name__", "")
+    return f"{type(error).__name__}: {said} ({function}){meaning}"
+
+
+def late(state: "Run", wanted: int | None, limit: float) -> ProgramError:
+    """Return the error of a program that did not reach the wanted frame within ``limit`` s."""
+    path, frames = state.source.path, state.frames
+    if state.window is None:
+        done = f"opened no window for OpenGL within {limit:g} s"
+    elif frames == 0:
+        done = f"completed no frame within {limit:g} s: it never shows one"
+    else:
+        done = f"completed {count(frames)} within {limit:g} s; frame {wanted} was not reached"
+    return ProgramError(f"{path}: {done}, or needs a longer --limit")
+
+
+def count(frames: int) -> str:
+    """Return a number of frames in words."""
+    return "1 frame" if frames == 1 else f"{frames or 'no'} frames"

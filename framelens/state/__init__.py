@@ -1,0 +1,1 @@
+"""All of OpenGL's state: read, set, compared, and put into words."""

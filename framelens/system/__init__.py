@@ -1,0 +1,47 @@
+"""What operating systems do differently: one function for each, and a form of it per system.
+
+``posix.py`` and ``windows.py`` define the same names; this chooses between them. Nothing else in
+the package asks for a signal, a lock or a way to wait that only some systems have.
+"""
+
+import sys
+
+if sys.platform == "win32":
+    from framelens.system.windows import (
+        ENDING_SIGNALS,
+        interrupts_held,
+        is_closed_pipe,
+        memory,
+        processors,
+        quoted,
+        read_parts,
+        replace,
+        starting_workers,
+        user_language,
+    )
+else:
+    from framelens.system.posix import (
+        ENDING_SIGNALS,
+        interrupts_held,
+        is_closed_pipe,
+        memory,
+        processors,
+        quoted,
+        read_parts,
+        replace,
+        starting_workers,
+        user_language,
+    )
+
+__all__ = [
+    "ENDING_SIGNALS",
+    "interrupts_held",
+    "is_closed_pipe",
+    "memory",
+    "processors",
+    "quoted",
+    "read_parts",
+    "replace",
+    "starting_workers",
+    "user_language",
+]

@@ -1,0 +1,417 @@
+"""Rules about vertex arrays and buffers: does OpenGL read what the program has put there?
+
+For each array of a draw: is it enabled, do type and dtype agree, is the offset an address, does the
+stride fit a row of the data? Then the indices, and what a display list holds.
+"""
+
+import ast
+import ctypes
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from framelens.gl.seam import Call, gl
+from framelens.why.survey import Drawn, Survey
+from framelens.why.suspects import Suspect, written
+from framelens.why.trial import Change
+
+POINTERS = {
+    "glVertexPointer": "GL_VERTEX_ARRAY",
+    "glNormalPointer": "GL_NORMAL_ARRAY",
+    "glColorPointer": "GL_COLOR_ARRAY",
+    "glTexCoordPointer": "GL_TEXTURE_COORD_ARRAY",
+}
+TYPES = {
+    0x1400: "int8",
+    0x1401: "uint8",
+    0x1402: "int16",
+    0x1403: "uint16",
+    0x1404: "int32",
+    0x1405: "uint32",
+    0x1406: "float32",
+    0x140A: "float64",
+}
+DRAWS = ("glDrawArrays", "glDrawElements", "glDrawRangeElements")
+ARRAY_BUFFER, ELEMENTS = 0x8892, 0x8893
+
+
+class Buffers:
+    """What the program has put into buffer objects, and where its pointers point.
+
+    Follows all calls that the tape has; pointers set frames ago come from the last setters.
+    """
+
+    def __init__(self, survey: Survey) -> None:
+        self.data: dict[int, tuple[Call, np.ndarray]] = {}
+        self.bound = {ARRAY_BUFFER: 0, ELEMENTS: 0}
+        self.pointers: dict[str, tuple[Call, int]] = {}  # with the buffer bound then
+        self.enabled: set[str] = set()  # arrays that the program enables at some time
+        self.at: dict[int, tuple[dict[str, tuple[Call, int]], dict[int, int]]] = {}
+        for step in survey.tape.steps() if not survey.tape.begin else ():
+            self._follow(step.call)
+        if survey.tape.begin:
+            for call in survey.tape.calls:
+                self._follow(call)
+
+    def _follow(self, call: Call) -> None:
+        if call.name == "glBindBuffer":
+            self.bound[int(call.args[0])] = int(call.args[1])
+        elif call.name == "glBufferData":
+            array = next((a for a in call.args if isinstance(a, np.ndarray)), None)
+            if array is not None:
+                self.data[self.bound.get(int(call.args[0]), 0)] = (call, array)
+        elif call.name in POINTERS:
+            self.pointers[POINTERS[call.name]] = (call, self.bound[ARRAY_BUFFER])
+        elif call.name == "glEnableClientState":
+            self.enabled.add(getattr(call.args[0], "name", ""))
+        elif call.name in DRAWS:
+            self.at[call.number] = dict(self.pointers), dict(self.bound)
+
+
+def arrays(survey: Survey) -> Iterator[Suspect]:
+    """The arrays of each draw, against what lies in their buffers."""
+    if not any(draw.call.name in DRAWS for draw in survey.shapes):
+        return
+    buffers = Buffers(survey)
+    done: set[tuple[str, int]] = set()
+    for draw in survey.shapes:
+        if draw.call.name not in DRAWS:
+            continue
+        yield from _not_enabled(draw, buffers)
+        pointers, bound = buffers.at.get(draw.number, ({}, {}))
+        for kind, (call, buffer) in pointers.items():
+            if (kind, id(call)) in done or not _enabled(draw, kind):
+                continue
+            done.add((kind, id(call)))
+            yield from _pointer(survey, draw, kind, call, buffer, buffers)
+        if draw.call.name != "glDrawArrays":
+            yield from _indices(survey, draw, bound, buffers)
+        yield from _count(draw, pointers, buffers)
+
+
+def _enabled(draw: Drawn, kind: str) -> bool:
+    name = f"GL_TEXTURE0.{kind}" if "TEXTURE" in kind else kind
+    return bool(draw.state.get(name))
+
+
+def _not_enabled(draw: Drawn, buffers: Buffers) -> Iterator[Suspect]:
+    pointers, _ = buffers.at.get(draw.number, ({}, {}))
+    for kind, (call, buffer) in pointers.items():
+        if _enabled(draw, kind) or kind in buffers.enabled:
+            continue
+        if kind != "GL_VERTEX_ARRAY" and not draw.state["GL_VERTEX_ARRAY"]:
+            continue
+
+        def start(c: Call = call, k: str = kind, b: int = buffer) -> None:
+            _point(c, b)
+            gl.glEnableClientState(getattr(gl, k))
+
+        def stop(k: str = kind) -> None:
+            gl.glDisableClientState(getattr(gl, k))
+
+        yield Suspect(
+            "array-not-enabled",
+            at=call,
+            change=Change(before={draw.place: [start]}, after={draw.place: [stop]}),
+            strength=92 if kind == "GL_VERTEX_ARRAY" else 83,
+            state=kind,
+            value=False,
+            values={"array": kind, "call": written(call)},
+            draws=[draw],
+        )
+
+
+def _point(call: Call, buffer: int, args: Any = None) -> None:
+    former = int(gl.glGetIntegerv(gl.GL_ARRAY_BUFFER_BINDING))
+    gl.glBindBuffer(gl.GL_ARRAY_BUFFER, buffer)
+    getattr(gl, call.name)(*(call.args if args is None else args))
+    gl.glBindBuffer(gl.GL_ARRAY_BUFFER, former)
+
+
+def _pointer(
+    survey: Survey, draw: Drawn, kind: str, call: Call, buffer: int, buffers: Buffers
+) -> Iterator[Suspect]:
+    size = 3 if call.name == "glNormalPointer" else int(call.args[0])
+    type_ = int(call.args[-3])
+    stride, pointer = int(call.args[-2]), call.args[-1]
+    wanted = np.dtype(TYPES[type_]) if type_ in TYPES else None
+    if wanted is None:
+        return
+    if buffer and isinstance(pointer, (int, np.integer)) and not isinstance(pointer, bool):
+        offset = int(pointer)
+        yield _changed(
+            "offset-int",
+            draw,
+            kind,
+            call,
+            buffer,
+            (*call.args[:-1], ctypes.c_void_p(offset)),
+            94,
+            f"{kind}_POINTER",
+            offset,
+            {"offset": offset, "call": written(call)},
+        )
+        return
+
+    stored = buffers.data.get(buffer) if buffer else None
+    if stored is not None:
+        upload, array = stored
+        if array.dtype != wanted and array.dtype.fields is None and array.dtype != np.uint8:
+            converted = np.ascontiguousarray(array.astype(wanted))
+            yield Suspect(
+                "dtype",
+                at=upload,
+                change=Change(
+                    first=[_refill(buffer, converted)],
+                    after=_after_upload(upload, buffer, converted),
+                ),
+                strength=95,
+                state=f"{kind}_TYPE",
+                value=str(array.dtype),
+                values={
+                    "dtype": str(array.dtype),
+                    "wanted": TYPES[type_],
+                    "type": TYPE_NAMES[type_],
+                },
+                draws=[draw],
+                source=assigned(survey, upload),
+            )
+            return
+        row = array.dtype.itemsize * (array.shape[-1] if array.ndim > 1 else 1)
+        element = wanted.itemsize * size
+        yield from _stride(draw, kind, call, buffer, stride, row if array.ndim > 1 else 0, element)
+    elif isinstance(pointer, np.ndarray):
+        row = pointer.strides[0] if pointer.ndim > 1 else 0
+        yield from _stride(draw, kind, call, 0, stride, row, wanted.itemsize * size)
+
+
+TYPE_NAMES = {
+    0x1400: "GL_BYTE",
+    0x1401: "GL_UNSIGNED_BYTE",
+    0x1402: "GL_SHORT",
+    0x1403: "GL_UNSIGNED_SHORT",
+    0x1404: "GL_INT",
+    0x1405: "GL_UNSIGNED_INT",
+    0x1406: "GL_FLOAT",
+    0x140A: "GL_DOUBLE",
+}
+
+
+def assigned(survey: Survey, call: Call) -> str:
+    """Return the line that makes the array handed to a call, as "file:line"; "" if none is found.
+
+    It is looked for in the program's text: the variable among the call's arguments, and the last
+    assignment to it before the call.
+    """
+    if survey.past is None or call.site.path != survey.past.source:
+        return ""
+    with suppress(OSError, SyntaxError, ValueError):
+        nodes = list(ast.walk(ast.parse(Path(call.site.path).read_bytes())))
+        names = {name for node in nodes for name in _handed(node, call)}
+        lines = [
+            node.lineno
+            for node in nodes
+            if isinstance(node, ast.Assign)
+            and any(ast.unparse(target) in names for target in node.targets)
+        ]
+        if lines:
+            line = max((n for n in lines if n < call.site.line), default=lines[0])
+            return f"{call.site.file}:{line}"
+    return ""
+
+
+def _handed(node: ast.AST, call: Call) -> list[str]:
+    """Return the variables that a call in the program's text hands over, but for enumerants."""
+    if not isinstance(node, ast.Call) or not ast.unparse(node.func).endswith(call.name):
+        return []
+    if not node.lineno <= call.site.line <= (node.end_lineno or 0):
+        return []
+    names = [ast.unparse(arg) for arg in node.args if isinstance(arg, (ast.Name, ast.Attribute))]
+    return [name for name in names if not name.split(".")[-1].startswith("GL_")]
+
+
+def _after_upload(upload: Call, buffer: int, array: np.ndarray) -> dict[str, Any]:
+    return {str(upload.number): [_refill(buffer, array)]}
+
+
+def _refill(buffer: int, array: np.ndarray, target: int = ARRAY_BUFFER) -> Any:
+    def act() -> None:
+        name = gl.GL_ARRAY_BUFFER_BINDING
+        if target == ELEMENTS:
+            name = gl.GL_ELEMENT_ARRAY_BUFFER_BINDING
+        former = int(gl.glGetIntegerv(name))
+        gl.glBindBuffer(target, buffer)
+        gl.glBufferData(target, array.nbytes, array, gl.GL_STATIC_DRAW)
+        gl.glBindBuffer(target, former)
+
+    return act
+
+
+def _changed(
+    cause: str,
+    draw: Drawn,
+    kind: str,
+    call: Call,
+    buffer: int,
+    args: Any,
+    strength: float,
+    state: str,
+    value: Any,
+    values: dict[str, Any],
+) -> Suspect:
+    return Suspect(
+        cause,
+        at=call,
+        change=Change(before={draw.place: [lambda: _point(call, buffer, args)]}),
+        strength=strength,
+        state=state,
+        value=value,
+        values=values,
+        draws=[draw],
+    )
+
+
+def _stride(
+    draw: Drawn, kind: str, call: Call, buffer: int, stride: int, row: int, element: int
+) -> Iterator[Suspect]:
+    """Suspect a stride that is neither 0 nor that of a row of the data."""
+    values = {"stride": stride, "row": row, "element": element, "call": written(call)}
+    if row and (stride or element) != row and row >= element:
+        right = row
+    elif 0 < stride < element:
+        right = 0
+    else:
+        return
+
+    if not buffer:
+        return
+    args = (*call.args[:-2], right, call.args[-1])
+    yield _changed(
+        "stride",
+        draw,
+        kind,
+        call,
+        buffer,
+        args,
+        88 if stride or row else 70,
+        f"{kind}_STRIDE",
+        stride,
+        values | {"right": right},
+    )
+
+
+def _indices(
+    survey: Survey, draw: Drawn, bound: dict[int, int], buffers: Buffers
+) -> Iterator[Suspect]:
+    call = draw.call
+    kind, indices = int(call.args[-2]), call.args[-1]
+    if kind not in TYPES:
+        yield Suspect(
+            "index-type",
+            at=call,
+            change=None,
+            strength=40,
+            value=kind,
+            values={"call": written(call)},
+            pixels=1,
+        )
+        return
+
+    wanted = np.dtype(TYPES[kind])
+    stored = buffers.data.get(bound.get(ELEMENTS, 0))
+    if stored is not None and not isinstance(indices, np.ndarray):
+        upload, array = stored
+        if array.dtype.itemsize != wanted.itemsize:
+            converted = np.ascontiguousarray(array.astype(wanted))
+            refill = _refill(bound[ELEMENTS], converted, ELEMENTS)
+            yield Suspect(
+                "index-type",
+                at=upload,
+                change=Change(before={draw.place: [refill]}),
+                strength=95,
+                state="GL_ELEMENT_ARRAY_BUFFER",
+                value=str(array.dtype),
+                values={"dtype": str(array.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
+                draws=[draw],
+                source=assigned(survey, upload),
+            )
+    elif isinstance(indices, np.ndarray) and indices.dtype.itemsize != wanted.itemsize:
+        converted = np.ascontiguousarray(indices.astype(wanted))
+        yield Suspect(
+            "index-type",
+            at=call,
+            change=Change(instead={draw.place: [(call.name, (*call.args[:-1], converted))]}),
+            strength=90,
+            state="GL_ELEMENT_ARRAY_BUFFER",
+            value=str(indices.dtype),
+            values={"dtype": str(indices.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
+            draws=[draw],
+            source=assigned(survey, call),
+        )
+
+
+def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
+    """Suspect a count of vertices below those that there are."""
+    call = draw.call
+    if call.name != "glDrawArrays" or "GL_VERTEX_ARRAY" not in pointers:
+        return
+    pointer, buffer = pointers["GL_VERTEX_ARRAY"]
+    array = buffers.data[buffer][1] if buffer in buffers.data else pointer.args[-1]
+    if not isinstance(array, np.ndarray) or array.ndim < 2:
+        return
+    first, count = int(call.args[1]), int(call.args[2])
+
+    # A third: who counts triangles instead of vertices.
+    third = len(array) - 3 <= count * 3 and count <= len(array) // 2
+    if first or not (count == 0 or third):
+        return
+    yield Suspect(
+        "count",
+        at=call,
+        change=Change(instead={draw.place: [(call.name, (call.args[0], 0, len(array)))]}),
+        strength=68,
+        value=count,
+        values={"n": count, "all": len(array), "call": written(call)},
+        draws=[draw],
+    )
+
+
+def lists(survey: Survey) -> Iterator[Suspect]:
+    """A glCallList of a list that is empty or does not exist."""
+    from framelens.gl.seam import lists_now
+
+    known = lists_now()
+    for call in survey.calls:
+        if call.name != "glCallList" or call.listed:
+            continue
+        full = [n for n, listing in survey_lists(survey).items() if listing]
+        for number in full[:3]:
+            yield Suspect(
+                "list-unknown",
+                at=call,
+                change=Change(instead={str(call.number): [("glCallList", (number,))]}),
+                strength=66,
+                state="GL_LIST_BASE",
+                value=int(call.args[0]),
+                values={"list": int(call.args[0]), "other": number},
+            )
+        del known
+        return
+
+
+def survey_lists(survey: Survey) -> dict[int, Any]:
+    """Return the display lists that the tape compiles and never calls, with their calls."""
+    called = {int(c.args[0]) for c in survey.calls if c.name == "glCallList"}
+    found = {}
+    for call in survey.tape.calls:
+        if call.name == "glNewList" and call.compiled is not None:
+            number = int(call.args[0])
+            if number not in called:
+                found[number] = call.compiled.calls()
+    return found
+
+
+RULES = (arrays, lists)

@@ -1,0 +1,552 @@
+"""Rules about lighting, in the order of its formula: lights, normals, materials.
+
+Is a light on at all, and where is it? Has each vertex a normal, of length 1, to the side of the
+light? Which colour does the material have: that of glColor, or one left by something else?
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from framelens.gl.seam import Call, GluCall, gl
+from framelens.why.survey import Drawn, Survey
+from framelens.why.suspects import (
+    Suspect,
+    cap,
+    closed,
+    matrix_of,
+    off,
+    on,
+    perspective,
+    with_state,
+    written,
+)
+from framelens.why.trial import Action, Change
+
+AHEAD = np.array((0.0, 0.0, -1.0))  # where the eye looks
+LIGHTS = tuple(f"GL_LIGHT{k}" for k in range(8))
+
+
+def lit(survey: Survey) -> list[Drawn]:
+    """Return the draws that are lit and have fragments."""
+    return [d for d in survey.shapes if d.state["GL_LIGHTING"] and d.passed]
+
+
+def lights(survey: Survey) -> Iterator[Suspect]:
+    """No light is on, the one that is set is not, or it is behind what it should light."""
+    mine = lit(survey)
+    dark = [d for d in mine if not any(d.state[name] for name in LIGHTS)]
+    if dark and len(dark) == len(mine):
+        setters = dark[0].setters.last
+        named = [name for name in LIGHTS if any(v.startswith(f"{name}.") for v in setters)]
+        for name in (*named, "GL_LIGHT0"):
+            set_by = next((c for v, c in setters.items() if v.startswith(f"{name}.")), None)
+            yield Suspect(
+                "light-off",
+                at=set_by or dark[0].setter("GL_LIGHTING"),
+                change=on(name, dark),
+                strength=90,
+                state=name,
+                value=False,
+                values={"light": name},
+                draws=dark,
+            )
+        return
+
+    if mine:
+        setters = mine[-1].setters.last
+        for name in LIGHTS:
+            set_by = next((c for v, c in setters.items() if v.startswith(f"{name}.")), None)
+            if set_by is not None and not any(d.state[name] for d in mine):
+                yield Suspect(
+                    "light-off",
+                    at=set_by,
+                    change=on(name, mine),
+                    strength=81 if _dark(survey, mine) else 72,
+                    state=name,
+                    value=False,
+                    values={"light": name},
+                    draws=mine,
+                )
+
+    yield from _unlit(survey)
+    yield from _far_side(survey, mine)
+
+
+def _unlit(survey: Survey) -> Iterator[Suspect]:
+    """Yield that lights are on, normals are given, and lighting is not enabled."""
+    shapes = survey.shapes
+    if not shapes or any(d.state["GL_LIGHTING"] for d in shapes):
+        return
+    mine = [d for d in shapes if any(d.state[name] for name in LIGHTS)]
+    if mine:
+        light = next(name for name in LIGHTS if mine[0].state[name])
+        yield Suspect(
+            "lighting-off",
+            at=mine[0].setter(light),
+            change=on("GL_LIGHTING", mine),
+            strength=84,
+            state="GL_LIGHTING",
+            value=False,
+            values={"light": light},
+            draws=mine,
+        )
+
+
+def _far_side(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
+    """Yield that what is seen of all lit shapes faces away from every light."""
+    if not mine or not _dark(survey, mine):
+        return
+    past = survey.past
+    if past is not None and past.frame and any(note.name == "gluLookAt" for note in survey.glu):
+        return  # a camera that moves may well look at the dark side
+    for name in LIGHTS:
+        if not mine[0].state[name]:
+            continue
+        set_by = mine[0].setter(f"{name}.GL_POSITION")
+        values: dict[str, Any] = {"light": name}
+        if set_by is not None:
+            values["call"] = written(set_by)
+            position = [float(v) for v in np.ravel(np.asarray(set_by.args[2]))]
+            values["position"] = position
+
+        def turned(each: str = name) -> None:
+            x, y, z, w = mine[0].state[f"{each}.GL_POSITION"]
+            gl.glPushMatrix()
+            gl.glLoadIdentity()
+            gl.glLightfv(cap(each), gl.GL_POSITION, (-x, -y, -z, w) if w == 0 else (0, 0, 0, 1))
+            gl.glPopMatrix()
+
+        yield Suspect(
+            "light-far-side",
+            at=set_by or mine[0].setter(name),
+            change=with_state(["LIGHTING"], [_in_modelview(turned)], mine),
+            strength=78,
+            state=f"{name}.GL_POSITION",
+            value=values.get("position"),
+            values=values,
+            draws=mine,
+        )
+
+
+def _in_modelview(act: Any) -> Any:
+    def acted() -> None:
+        mode = int(gl.glGetIntegerv(gl.GL_MATRIX_MODE))
+        gl.glMatrixMode(gl.GL_MODELVIEW)
+        act()
+        gl.glMatrixMode(mode)
+
+    return acted
+
+
+def _dark(survey: Survey, mine: Sequence[Drawn]) -> bool:
+    """Return whether lit shapes are nearly black: only their ambient share is seen."""
+    picture = survey.trial.picture(off("GL_LIGHTING", mine))
+    if picture is None:
+        return False
+    mask = np.abs(picture.astype(int) - survey.base.astype(int)).max(axis=2) > 6
+    if not mask.any():
+        return False
+    seen = survey.base[mask].astype(float).max(axis=1)
+    return bool(np.percentile(seen, 99.5) < 70)
+
+
+def normals(survey: Survey) -> Iterator[Suspect]:
+    """Normals that are missing, or not of length 1."""
+    mine = lit(survey)
+    bare = []
+    for draw in mine:
+        found = draw.vertices
+        if found is None or found.normals is not None or found.mode in LINES:
+            continue
+        if draw.setter("GL_CURRENT_NORMAL") is None and not draw.state["GL_NORMAL_ARRAY"]:
+            bare.append(draw)
+
+    bare = [d for d in bare if d.covered and d.call.name in WITH_VERTICES]
+    if bare:
+        change = _with_normals(bare)
+        yield Suspect(
+            "no-normals",
+            at=bare[0].call,
+            change=change,
+            strength=80,
+            state="GL_CURRENT_NORMAL",
+            value=[round(float(v), 3) for v in bare[0].state["GL_CURRENT_NORMAL"]],
+            values={"n": sum(d.placed.count for d in bare if d.placed is not None)},
+            draws=bare,
+        )
+
+    scaled = []
+    factor = 1.0
+    for draw in mine:
+        if draw.state["GL_NORMALIZE"] or draw.state["GL_RESCALE_NORMAL"]:
+            continue
+        matrix = matrix_of(draw, "GL_MODELVIEW")[:3, :3]
+        if not np.isfinite(matrix).all() or abs(np.linalg.det(matrix)) < 1e-12:
+            continue
+        inverse = np.linalg.inv(matrix)
+        found = draw.vertices
+        given = (
+            found.normals
+            if found is not None and found.normals is not None
+            else np.array([draw.state["GL_CURRENT_NORMAL"][:3]])
+        )
+        shaped = draw.call.name.startswith("glut")
+        vectors = np.eye(3) if shaped else np.asarray(given, float)
+        lengths = np.linalg.norm(vectors @ inverse.T, axis=1)
+        lengths = lengths[np.isfinite(lengths)]
+        if lengths.size and (np.median(lengths) < 0.6 or np.median(lengths) > 1.6):
+            scaled.append(draw)
+            factor = float(np.median(lengths))
+
+    if scaled:
+        chain = scaled[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
+        scale = next((c for c in reversed(chain) if c.name.startswith("glScale")), None)
+        found = scaled[0].vertices
+        given_call = scaled[0].setter("GL_CURRENT_NORMAL")
+        yield Suspect(
+            "normals-length",
+            at=scale or given_call or scaled[0].call,
+            change=on("GL_NORMALIZE", scaled),
+            strength=82,
+            state="GL_NORMALIZE",
+            value=False,
+            values={"length": round(factor, 2)},
+            draws=scaled,
+        )
+
+    yield from _inward(survey, mine)
+
+
+LINES = ("GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP", "GL_POINTS")
+WITH_VERTICES = ("glBegin", "glDrawArrays", "glDrawElements", "glDrawRangeElements")
+
+
+def _with_normals(draws: Sequence[Drawn]) -> Change:
+    """Return the change that draws each face with its own normal, towards the eye."""
+    instead: dict[str, Any] = {}
+    for draw in draws:
+        found = draw.vertices
+        assert found is not None
+        matrix = matrix_of(draw, "GL_MODELVIEW")
+        eye = (found.positions @ matrix)[:, :3]
+        normal_of: dict[int, tuple[float, ...]] = {}
+        for face in found.faces:
+            a, b, c = (eye[k] for k in face[:3]) if len(face) > 2 else (eye[0],) * 3
+            normal = np.cross(b - a, c - a)
+            length = float(np.linalg.norm(normal))
+            if not length:
+                continue
+            normal = normal / length
+            if normal @ (a if perspective(draw.state["GL_PROJECTION_MATRIX"]) else AHEAD) > 0:
+                normal = -normal
+            back = normal @ matrix[:3, :3].T
+            size = float(np.linalg.norm(back)) or 1.0
+            for k in face:
+                normal_of.setdefault(k, tuple((back / size).tolist()))
+        if found.places:
+            for k, normal_ in normal_of.items():
+                step = next(s for s in draw.steps if s.place == found.places[k])
+                instead[found.places[k]] = [
+                    ("glNormal3f", normal_),
+                    (step.call.name, step.call.args),
+                ]
+        else:
+            instead[draw.place] = [_as_triangles(draw, normal_of)]
+
+    return Change(instead=instead)
+
+
+def _as_triangles(draw: Drawn, normal_of: dict[int, tuple[float, ...]]) -> Any:
+    found = draw.vertices
+    assert found is not None
+
+    def act() -> None:
+        for face in found.faces:
+            gl.glBegin(gl.GL_POLYGON)
+            for k in face:
+                gl.glNormal3f(*normal_of.get(k, (0.0, 0.0, 1.0)))
+                gl.glVertex4d(*found.positions[k])
+            gl.glEnd()
+
+    return act
+
+
+def _inward(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that normals point away from the eye on all that is seen."""
+    wrong: list[Drawn] = []
+    for group in survey.same(mine):
+        sides = [_sides(draw) for draw in group]
+        away, facing = sum(a for a, _ in sides), sum(f for _, f in sides)
+        if away and away > 9 * facing:
+            wrong += group
+
+    if wrong:
+        call = next(
+            (step.call for step in wrong[0].steps if step.call.name.startswith("glNormal")),
+            wrong[0].setter("GL_NORMAL_ARRAY_POINTER") or wrong[0].call,
+        )
+        yield Suspect(
+            "normals-away",
+            at=call,
+            change=with_state(["LIGHTING"], [_two_sided_turned], wrong),
+            strength=79,
+            state="GL_CURRENT_NORMAL",
+            draws=wrong,
+        )
+
+
+def _sides(draw: Drawn) -> tuple[int, int]:
+    """Return of how many faces the normals point away from the eye, and of how many towards it."""
+    found = draw.vertices
+    if found is None or found.normals is None or draw.state["GL_LIGHT_MODEL_TWO_SIDE"]:
+        return 0, 0
+    if len(found.normals) != len(found.positions) or found.mode in LINES:
+        return 0, 0
+    matrix = matrix_of(draw, "GL_MODELVIEW")
+    eye = (found.positions @ matrix)[:, :3]
+    try:
+        turned = found.normals @ np.linalg.inv(matrix[:3, :3]).T
+    except np.linalg.LinAlgError:
+        return 0, 0
+
+    facing = away = 0
+    winding = 1.0 if draw.state["GL_FRONT_FACE"] == "GL_CCW" else -1.0
+    lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
+    solid = closed(draw)
+    for face in found.faces[:3000]:
+        if len(face) < 3:
+            continue
+        a = eye[face[0]]
+        b = eye[face[1]]
+        c = eye[face[2]]
+        sight = a if lensed else AHEAD
+        front = winding * np.cross(b - a, c - a)
+        if front @ sight >= 0:
+            # Turned away: of a closed shape it is hidden, of a sheet it is seen as well.
+            facing += not solid and turned[face[0]] @ sight < 0
+        elif front @ turned[face[0]] < 0:
+            away += 1
+        else:
+            facing += 1
+
+    return away, facing
+
+
+def _two_sided_turned() -> None:
+    """Light the other side: lights go through the origin of the eye's directions."""
+    for k in range(8):
+        if gl.glIsEnabled(gl.GL_LIGHT0 + k):
+            x, y, z, w = (float(v) for v in gl.glGetLightfv(gl.GL_LIGHT0 + k, gl.GL_POSITION))
+            if w:
+                continue
+            mode = int(gl.glGetIntegerv(gl.GL_MATRIX_MODE))
+            gl.glMatrixMode(gl.GL_MODELVIEW)
+            gl.glPushMatrix()
+            gl.glLoadIdentity()
+            gl.glLightfv(gl.GL_LIGHT0 + k, gl.GL_POSITION, (-x, -y, -z, w))
+            gl.glPopMatrix()
+            gl.glMatrixMode(mode)
+    gl.glLightModeli(gl.GL_LIGHT_MODEL_TWO_SIDE, 1)
+
+
+def materials(survey: Survey) -> Iterator[Suspect]:
+    """Materials: glColor without GL_COLOR_MATERIAL, an emission left by something else, black."""
+    mine = lit(survey)
+    if not mine:
+        return
+    yield from _color_material(survey, mine)
+    yield from _emission(survey, mine)
+    yield from _black(survey, mine)
+
+
+MATERIALS = ("glMaterial",)
+
+
+def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    plain = [d for d in mine if not d.state["GL_COLOR_MATERIAL"]]
+    if not plain or any(d.state["GL_COLOR_MATERIAL"] for d in mine):
+        return
+    diffuse = [
+        d for d in plain if d.setter("GL_FRONT.GL_DIFFUSE") is None and not _within(d, "glMaterial")
+    ]
+    colored = [
+        d for d in diffuse if d.setter("GL_CURRENT_COLOR") is not None or _within(d, "glColor")
+    ]
+    colored = [d for d in colored if not d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
+    if not any(_colorful(d) for d in colored):
+        return
+    yield Suspect(
+        "no-color-material",
+        at=colored[0].setter("GL_LIGHTING") or colored[0].setter("GL_CURRENT_COLOR"),
+        change=on("GL_COLOR_MATERIAL", colored),
+        strength=87,
+        state="GL_COLOR_MATERIAL",
+        value=False,
+        values={"color": _line(colored[0].setter("GL_CURRENT_COLOR"))},
+        draws=colored,
+    )
+
+
+def _line(call: Call | GluCall | None) -> int:
+    return call.site.line if call is not None else 0
+
+
+def _colorful(draw: Drawn) -> bool:
+    """Return whether glColor gives a draw a colour, not a grey, which lighting may show as well."""
+    given = list(draw.vertices.colors) if draw.vertices is not None else []
+    colors = [*given, tuple(draw.state["GL_CURRENT_COLOR"])]
+    return any(max(color[:3]) - min(color[:3]) > 0.1 for color in colors)
+
+
+def _within(draw: Drawn, name: str) -> bool:
+    return any(step.call.name.startswith(name) for step in draw.steps)
+
+
+def _emission(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that an emission set for one thing is still in force for others."""
+    glowing = [d for d in mine if max(d.state["GL_FRONT.GL_EMISSION"][:3]) > 0.05]
+    left = []
+    for draw in glowing:
+        setter = draw.setter("GL_FRONT.GL_EMISSION")
+        own = draw.setter("GL_FRONT.GL_DIFFUSE")
+        if setter is None or setter.site.function == draw.call.site.function:
+            continue
+        if draw.chain and any(name == setter.site.function for name, _ in draw.chain):
+            continue
+        users = [d for d in mine if d.setter("GL_FRONT.GL_EMISSION") is setter]
+        first = users[0].call.site.function == setter.site.function
+        if first or (own is not None and own.number > setter.number):
+            left.append(draw)
+
+    if left:
+        setter = left[0].setter("GL_FRONT.GL_EMISSION")
+        yield Suspect(
+            "emission-left",
+            at=setter,
+            change=with_state(
+                ["LIGHTING"],
+                [("glMaterialfv", (gl.GL_FRONT_AND_BACK, gl.GL_EMISSION, (0.0, 0.0, 0.0, 1.0)))],
+                left,
+            ),
+            strength=85,
+            state="GL_FRONT.GL_EMISSION",
+            value=[float(v) for v in left[0].state["GL_FRONT.GL_EMISSION"]],
+            values={"later": left[0].call.site.line},
+            draws=left,
+        )
+
+
+def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that a material reflects nothing, or that a light gives none."""
+    dark = [
+        d
+        for d in mine
+        if max(d.state["GL_FRONT.GL_DIFFUSE"][:3]) < 0.02
+        and not _within(d, "glMaterial")
+        and not d.state["GL_COLOR_MATERIAL"]
+    ]
+    if dark:
+        yield Suspect(
+            "material-black",
+            at=dark[0].setter("GL_FRONT.GL_DIFFUSE"),
+            change=with_state(
+                ["LIGHTING"],
+                [("glMaterialfv", (gl.GL_FRONT_AND_BACK, gl.GL_DIFFUSE, (0.8, 0.8, 0.8, 1.0)))],
+                dark,
+            ),
+            strength=76,
+            state="GL_FRONT.GL_DIFFUSE",
+            value=[float(v) for v in dark[0].state["GL_FRONT.GL_DIFFUSE"]],
+            draws=dark,
+        )
+
+    for name in LIGHTS:
+        if not all(d.state[name] for d in mine):
+            continue
+        diffuse = [float(v) for v in mine[0].state[f"{name}.GL_DIFFUSE"]]
+        others = [other for other in LIGHTS if other != name]
+        alone = not any(d.state[other] for other in others for d in mine)
+        if max(diffuse[:3]) < 0.02 and alone:
+            actions: list[Action] = [
+                ("glLightfv", (cap(name), gl.GL_DIFFUSE, (1.0, 1.0, 1.0, 1.0)))
+            ]
+            yield Suspect(
+                "light-black",
+                at=mine[0].setter(f"{name}.GL_DIFFUSE"),
+                change=with_state(["LIGHTING"], actions, mine),
+                strength=80,
+                state=f"{name}.GL_DIFFUSE",
+                value=diffuse,
+                values={"light": name},
+                draws=mine,
+            )
+
+
+def moving_light(survey: Survey) -> Iterator[Suspect]:
+    """A light placed before the camera's gluLookAt, in a picture whose camera moves."""
+    past = survey.past
+    if past is None or not lit(survey):
+        return
+    looks = [note for note in survey.glu if note.name == "gluLookAt" and note.end > note.begin]
+    if not looks:
+        return
+    look = looks[0]
+    calls = survey.tape.calls
+    loaded = 0
+    for call in calls[: look.begin]:
+        if call.name == "glLoadIdentity":
+            loaded = call.number
+    mine = [
+        call
+        for call in calls[loaded : look.begin]
+        if call.name.startswith("glLight")
+        and len(call.args) == 3
+        and int(call.args[1]) == int(gl.GL_POSITION)
+    ]
+
+    for call in mine:
+        position = [float(v) for v in np.ravel(np.asarray(call.args[2]))]
+        if abs(position[0]) + abs(position[1]) < 1e-6:
+            continue  # at the eye, or behind it: meant to go with the camera
+        if call.pass_ == "setup" or look.pass_ == "setup" or not _moves(past, look):
+            continue
+        end = str(look.end - 1)
+        yield Suspect(
+            "light-before-camera",
+            at=call,
+            change=Change(instead={str(call.number): ()}, after={end: [(call.name, call.args)]}),
+            strength=89,
+            state=f"{getattr(call.args[0], 'name', 'GL_LIGHT0')}.GL_POSITION",
+            value=position,
+            values={"call": written(call), "camera": look.site.line},
+        )
+
+
+def _moves(past: Any, look: GluCall) -> bool:
+    """Return whether the camera of an earlier frame stood elsewhere."""
+    if past.frame == 0:
+        return False
+    former = past.first.get("GL_MODELVIEW_MATRIX")
+    del former
+    matrices = [
+        np.ravel(np.asarray(c.args[0], np.float64))
+        for c in past.setters.chained.get("GL_MODELVIEW_MATRIX", [])
+        if c.name.startswith("glMultMatrix") and c.site.line == look.site.line
+    ]
+    if not matrices:
+        return False
+    from framelens.gl.glu import gluLookAt
+
+    gl.glMatrixMode(gl.GL_MODELVIEW)
+    gl.glPushMatrix()
+    gl.glLoadIdentity()
+    gluLookAt(*look.args)
+    now = np.ravel(np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64))
+    gl.glPopMatrix()
+    rotation = [0, 1, 2, 4, 5, 6, 8, 9, 10]
+    return any(np.abs(m[rotation] - now[rotation]).max() > 1e-4 for m in matrices)
+
+
+RULES = (lights, normals, materials, moving_light)

@@ -1,0 +1,283 @@
+"""Rules about the window: is what is drawn ever shown, and are the calls made where they may be?
+
+In the order of a program's life: calls before there is a context, calls that OpenGL refuses,
+glBegin and glEnd, and how the frame is shown.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from framelens.gl.seam import Call, gl
+from framelens.program.shown import FRONT
+from framelens.spec import spec
+from framelens.why.survey import Survey
+from framelens.why.suspects import Suspect, written
+from framelens.why.trial import Change, changed
+
+INSIDE = (
+    *("glVertex", "glColor", "glSecondaryColor", "glIndex", "glNormal", "glTexCoord"),
+    *("glMultiTexCoord", "glFogCoord", "glEdgeFlag", "glArrayElement", "glEval", "glMaterial"),
+    *("glCallList", "glEnd", "glGetError"),
+)
+DEFAULTS_BLACK = 0
+
+
+def before_context(survey: Survey) -> Iterator[Suspect]:
+    """Calls of OpenGL before the window's context: they have no effect."""
+    past = survey.past
+    if past is None or not past.early:
+        return
+    names: dict[int, int] = {}
+
+    def make() -> None:
+        for name, args, result, _ in past.early:
+            if spec.creates(name):
+                made = getattr(gl, name)(*args)
+                if result is None or int(np.ravel(result or 0)[0]) == 0:
+                    names[0] = int(np.ravel(made)[0])
+            elif not spec.is_query(name):
+                values = list(args)
+                place = PLACES.get(name)
+                if place is not None and int(values[place] or 0) == 0:
+                    values[place] = names.get(0, 0)
+                getattr(gl, name)(*values)
+
+    instead: dict[str, Any] = {}
+    for call in survey.tape.frame:
+        place = PLACES.get(call.name)
+        if place is not None and int(call.args[place] or 0) == 0:
+            instead[str(call.number)] = [_renamed(call, place, names)]
+    name, _, _, site = past.early[0]
+    yield Suspect(
+        "before-context",
+        at=None,
+        change=Change(start=[make], instead=instead),
+        strength=97,
+        values={"call": name, "opening": OPENINGS[past.window.toolkit]},
+        source=f"{site.file}:{past.window.early_line or site.line}",
+    )
+
+
+PLACES = {"glNewList": 0, "glCallList": 0, "glBindTexture": 1}
+OPENINGS = {
+    "glfw": "glfw.make_context_current",
+    "pygame": "pygame.display.set_mode",
+    "glut": "glutCreateWindow",
+}
+
+
+def _renamed(call: Call, place: int, names: dict[int, int]) -> Any:
+    def act() -> None:
+        args = list(call.args)
+        args[place] = names.get(0, 0)
+        getattr(gl, call.name)(*args)
+
+    return act
+
+
+def begin_and_end(survey: Survey) -> Iterator[Suspect]:
+    """A glBegin without its glEnd, a call that is forbidden between them, a glVertex outside."""
+    steps = [step for step in survey.tape.steps() if step.place]
+    begin = last = None
+    for index, step in enumerate(steps):
+        name = step.call.name
+        if begin is None:
+            if name.startswith("glVertex") and not name.endswith("Pointer"):
+                yield from _outside(steps, index)
+                return
+            if name == "glBegin":
+                begin, last = step, step
+            continue
+        if name == "glEnd":
+            begin = None
+        elif name.startswith("glVertex"):
+            last = step
+        elif not name.startswith(INSIDE):
+            assert last is not None
+            yield from _within(survey, steps, index, begin, last)
+            return
+
+    if begin is not None and last is not None and survey.past and survey.past.error is None:
+        yield Suspect(
+            "no-end",
+            at=last.call,
+            change=Change(after={last.place: [("glEnd", ())]}),
+            strength=96,
+            values={"begin": begin.call.site.line, "function": last.call.site.function},
+        )
+
+
+def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> Iterator[Suspect]:
+    step = steps[index]
+    ended = False
+    for later in steps[index:]:
+        if later.call.name == "glBegin":
+            break
+        if later.call.name == "glEnd":
+            ended = True
+            break
+
+    if not ended or step.call.name == "glBegin":
+        yield Suspect(
+            "no-end",
+            at=last.call,
+            change=Change(after={last.place: [("glEnd", ())]}),
+            strength=96,
+            values={"begin": begin.call.site.line, "function": last.call.site.function},
+        )
+        return
+
+    moved, instead = [], {}
+    for later in steps[index:]:
+        name = later.call.name
+        if name == "glEnd":
+            break
+        if not name.startswith(INSIDE):
+            moved.append((name, later.call.args))
+            instead[later.place] = ()
+
+    yield Suspect(
+        "inside-begin",
+        at=step.call,
+        change=Change(before={begin.place: moved}, instead=instead),
+        strength=96,
+        values={"begin": begin.call.site.line, "call": written(step.call)},
+    )
+
+
+def _outside(steps: Any, index: int) -> Iterator[Suspect]:
+    step = steps[index]
+    last = step
+    for later in steps[index:]:
+        if not later.call.name.startswith(INSIDE):
+            break
+        last = later
+    for mode in ("GL_POLYGON", "GL_LINE_STRIP"):
+        yield Suspect(
+            "outside-begin",
+            at=step.call,
+            change=Change(
+                before={step.place: [("glBegin", (getattr(gl, mode),))]},
+                after={last.place: [("glEnd", ())]} if last.call.name != "glEnd" else {},
+            ),
+            strength=94,
+            values={"call": written(step.call)},
+        )
+
+
+def refused(survey: Survey) -> Iterator[Suspect]:
+    """A call that OpenGL refuses with an error."""
+    past = survey.past
+    error = past.error if past else None
+    if error is not None and hasattr(error, "baseOperation"):
+        call = survey.calls[-1] if survey.calls else None
+        said = bytes(getattr(error, "description", b"") or b"").decode(errors="replace")
+        yield Suspect(
+            "refused",
+            at=call,
+            change=None,
+            strength=60,
+            values={"call": written(call), "error": said or type(error).__name__},
+            pixels=survey.base.shape[0] * survey.base.shape[1],
+        )
+        return
+
+    for place, call, said in survey.errors[:3]:
+        yield Suspect(
+            "refused",
+            at=call,
+            change=None if survey.empty else Change(instead={place: ()}),
+            strength=45,
+            values={"call": written(call), "error": said},
+            pixels=survey.base.shape[0] * survey.base.shape[1],
+        )
+
+
+def shown(survey: Survey) -> Iterator[Suspect]:
+    """A frame that the window never shows."""
+    past = survey.past
+    if past is None or past.error is not None:
+        return
+    showing, doubled = past.showing, past.window.double_buffered
+    calls = survey.calls
+    drawing = [call for call in calls if call.name not in ("glFlush", "glFinish")]
+    last = drawing[-1] if drawing else None
+    pixels = int(changed(survey.base, np.zeros_like(survey.base)).sum())
+
+    if not survey.draws:
+        pass
+    elif showing.way == "never" or (showing.way == "callback" and doubled):
+        yield Suspect(
+            "no-swap",
+            at=last,
+            change=None,
+            strength=99,
+            state="GL_DOUBLEBUFFER",
+            value=True,
+            values={
+                "function": last.site.function if last else "",
+                "swap": SWAPS[past.window.toolkit],
+            },
+            pixels=pixels,
+        )
+    elif showing.way == "callback" and not showing.flushed:
+        yield Suspect(
+            "no-flush",
+            at=last,
+            change=None,
+            strength=98,
+            state="GL_DOUBLEBUFFER",
+            value=False,
+            values={"function": last.site.function if last else ""},
+            pixels=pixels,
+        )
+
+    setter = past.setters.last.get("GL_DRAW_BUFFER")
+    for call in calls:
+        if call.name == "glDrawBuffer":
+            setter = call
+    if doubled and setter is not None and int(setter.args[0]) in FRONT and showing.way == "swap":
+        yield Suspect(
+            "front-buffer",
+            at=setter,
+            change=None,
+            strength=97,
+            state="GL_DRAW_BUFFER",
+            value="GL_FRONT",
+            pixels=pixels or survey.base[..., 0].size,
+        )
+
+    if showing.way == "swap" and showing.again and not survey.draws and survey.tape.before:
+        yield Suspect(
+            "swapped-twice",
+            at=None,
+            change=None,
+            strength=96,
+            values={"line": showing.line, "swap": SWAPS[past.window.toolkit]},
+            pixels=survey.base[..., 0].size,
+            source=f"{past.source.rpartition('/')[2]}:{showing.line}",
+        )
+
+    if showing.forced and showing.stirred and survey.tape.before is not None:
+        former = survey.tape.before.color[::-1, :, :3]
+        if former.shape == survey.base.shape:
+            moved = int(changed(former, survey.base).sum())
+            if moved:
+                yield Suspect(
+                    "no-redisplay",
+                    at=last,
+                    change=None,
+                    strength=95,
+                    values={"function": last.site.function if last else ""},
+                    pixels=moved,
+                )
+
+
+SWAPS = {
+    "glfw": "glfw.swap_buffers(window)",
+    "pygame": "pygame.display.flip()",
+    "glut": "glutSwapBuffers()",
+}
+RULES = (before_context, begin_and_end, refused, shown)

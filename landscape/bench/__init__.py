@@ -1,0 +1,1 @@
+"""Benchmarks: a frame, the grass, the walk as it moves."""

@@ -1,0 +1,97 @@
+"""`landscape lecture`: shows the steps of a lecture, one after another, in one window."""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from framelens.base.errors import InputError, NoOpenGLError, short
+from framelens.base.texts import choose
+from framelens.gl import display
+from landscape.commands.lesson import speaking
+from landscape.course.language import told_in
+from landscape.course.lecture import texts
+from landscape.course.lecture.plan import COURSE, VIEW, Lecture, course, read
+
+if TYPE_CHECKING:
+    from landscape.course.lecture.stage import Stage
+
+
+def run(options: argparse.Namespace) -> int:
+    """Do what the command line asks; return the exit status."""
+    with speaking(options.lang), told_in(options.lang or choose(os.environ)):
+        lecture = read(_file(options.file)) if options.file else course()
+        if options.list:
+            for number, title, name in texts.listed(lecture):
+                print(f"{number}  {name:18} {title}")
+            return 0
+        begin = _begin(lecture, options.begin)
+        if sys.platform == "linux":
+            kind, reason = display.choose(os.environ)
+            if not kind:
+                raise NoOpenGLError(
+                    f"there is no screen to open a window on ({reason}): use --list, or xvfb-run"
+                )
+        show(lecture, begin, options.size, options.screen)
+    return 0
+
+
+def _file(asked: Path) -> Path:
+    """Return a lecture's file: one that exists, or one that comes with the program, by its name."""
+    shipped = COURSE.parent / f"{asked}.txt"
+    return shipped if len(asked.parts) == 1 and not asked.exists() and shipped.exists() else asked
+
+
+def _begin(lecture: Lecture, asked: str) -> int:
+    """Return the index of the step that is asked for by its name or number."""
+    if not asked:
+        return 0
+    names = [step.name for step in lecture.steps]
+    if asked in names:
+        return names.index(asked)
+    if asked.isascii() and asked.isdigit() and 1 <= int(asked[:9]) <= len(names):
+        return int(asked) - 1
+    raise InputError(
+        f"--from {short(asked)}: expected the name of a step, or a number from 1 to {len(names)}; "
+        "--list lists them"
+    )
+
+
+def show(
+    lecture: Lecture, index: int, size: tuple[int, int] | None = None, screen: int = 1
+) -> None:
+    """Show a lecture from a step on, until the user closes it; NoOpenGLError without a window."""
+    from landscape.course.lecture.stage import Stage
+
+    print(texts.wrapped(texts.word("keys"), ""), end="\n\n", flush=True)
+    stage = Stage(lecture, index, size, screen)
+    try:
+        while index >= 0:
+            stage.begin(index)
+            print(texts.for_speaker(lecture, index), flush=True)
+            _play(stage)
+            index = -1 if stage.to is None else stage.to
+    finally:
+        stage.close()
+
+
+def _play(stage: "Stage") -> None:
+    """Play a step until the user leaves it; what ends it before is shown in its place."""
+    from landscape.course.lecture import program, view
+
+    step, language = stage.step, choose(os.environ)
+    try:
+        if step.kind == VIEW:
+            view.play(stage, step.name, step.keys, language)
+        elif step.file is not None:
+            for line in program.play(stage, step.file, step.keys, language):
+                print(f"landscape: {line}", file=sys.stderr)
+        said = texts.word("ended")
+    except InputError as error:
+        said = str(error)
+        print(f"landscape: {said}", file=sys.stderr)
+        print(end=getattr(error, "details", ""), file=sys.stderr)
+    if not stage.leaving:
+        stage.settle()
+        view.say(stage, said)

@@ -1,0 +1,180 @@
+"""`landscape lesson`: lists the lessons; runs, draws, copies or inspects one."""
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from framelens.base.errors import InputError, NoOpenGLError
+from framelens.base.output import check_output_folder, check_writable, save_png, write_all
+from framelens.base.texts import LANGUAGES, Phrases, choose, translator
+from framelens.gl import display
+from landscape.course import program_texts
+from landscape.course.grader.picture import pictures
+from landscape.course.ladder import (
+    LESSONS,
+    PROGRAMS,
+    TOPICS,
+    Lesson,
+    lesson,
+    lessons,
+    presses,
+    program_files,
+)
+from landscape.course.language import told_in, translated
+from landscape.course.pages import wrapped
+
+HEADING: Phrases = ("{topic}:",)
+ADVICE: Phrases = (
+    "The tools draw frame 0 of a copied lesson, unless told otherwise; its picture is of the frame "
+    "that its line `# picture:` names:",
+)
+WIDTH = 96  # chosen: columns of a docstring, at most
+PACKAGES = LESSONS.parents[2]  # the folder in which Python finds the package
+
+
+def run(options: argparse.Namespace) -> int:
+    """Do what the command line asks; return the exit status."""
+    with speaking(options.lang), told_in(options.lang or choose(os.environ)):
+        if not options.name:
+            _list(options)
+            return 0
+        chosen = lesson(options.name)
+        if options.out is not None:
+            picture(chosen, options.out, options.backend)
+            print(options.out)
+        elif options.copy is not None:
+            for path in copy(chosen, options.copy):
+                print(path)
+        elif options.inspect:
+            from framelens.inspector.program_inspector import inspect
+
+            inspect(str(chosen.file), None, options.lang)
+        elif options.json:
+            print(json.dumps(chosen.as_json(), indent=1))
+        else:
+            return show(chosen)
+    return 0
+
+
+@contextmanager
+def speaking(language: str) -> Iterator[None]:
+    """Let the texts, and programs that are started, be in a language; "": in the user's."""
+    before = os.environ.get("LANGUAGE")
+    if language:
+        os.environ["LANGUAGE"] = language
+    try:
+        yield
+    finally:
+        os.environ.pop("LANGUAGE", None)
+        if before is not None:
+            os.environ["LANGUAGE"] = before
+
+
+def _list(options: argparse.Namespace) -> None:
+    if options.json:
+        print(json.dumps([each.as_json() for each in lessons()], indent=1))
+        return
+    topic = ""
+    for each in lessons():
+        if each.topic != topic:
+            topic = each.topic
+            print(translated(HEADING[0]).format(topic=translated(TOPICS[topic])))
+        print(f"  {each.name:18} {translated(each.title)}")
+    shown = lesson("matrix_stack")
+    print(f"\n{wrapped('', translated(ADVICE[0]), WIDTH)}")
+    print(f"  landscape strip {shown.file.name} --frame {shown.frame}")
+
+
+def show(chosen: Lesson) -> int:
+    """Run a lesson in a window until it ends; return its exit status."""
+    if sys.platform == "linux":
+        kind, reason = display.choose(os.environ)
+        if not kind:
+            raise NoOpenGLError(
+                f"there is no screen to open a window on ({reason}): use --out FILE.png, or "
+                "xvfb-run"
+            )
+    for line in chosen.about:
+        print(translated(line), file=sys.stderr)
+    path = os.pathsep.join(filter(None, [str(PACKAGES), os.environ.get("PYTHONPATH", "")]))
+    program = [sys.executable, str(chosen.file)]
+    return subprocess.run(program, env={**os.environ, "PYTHONPATH": path}).returncode
+
+
+def picture(chosen: Lesson, out: Path, backend: str = "auto") -> None:
+    """Write a lesson's picture to a PNG file; InputError if it cannot be written.
+
+    ``out`` may also be a device or a pipe.
+    """
+    if out.suffix.lower() != ".png" and (out.is_file() or not out.exists()):
+        raise InputError(f"--out {out}: expected a name ending in .png")
+    check_writable(out, "--out ")
+    (drawn,) = pictures(chosen.file, [chosen.frame], presses(chosen.pressed), backend)
+    save_png(drawn, out)
+
+
+def copy(chosen: Lesson, folder: Path) -> list[Path]:
+    """Copy a lesson, its data and its programs into a folder, which is made; return the copies.
+
+    InputError, and nothing is copied, if one of the files is there already with another content.
+    What the lesson imports may be there in another language.
+    """
+    check_output_folder(folder, "--copy ")
+    language = choose(os.environ)
+    copies, known = {}, {}
+    for file in needed(chosen):
+        path = folder / file.relative_to(LESSONS)
+        copies[path] = _in_language(file, language)
+        others = () if file == chosen.file else LANGUAGES
+        known[path] = {copies[path], *(_in_language(file, other) for other in others)}
+    for path, contents in known.items():
+        if path.exists() and (not path.is_file() or path.read_bytes() not in contents):
+            raise InputError(f"{path}: is there already, changed; expected a folder without it")
+    write_all({path: content for path, content in copies.items() if not path.exists()})
+    return list(copies)
+
+
+def _in_language(file: Path, language: str) -> bytes:
+    """Return the content of a lesson's file; a program's texts are in a language."""
+    if file.suffix != ".py":
+        return file.read_bytes()
+    if file.parent == PROGRAMS:
+        return program_described(file, language).encode()
+    return described(lesson(file.stem), language).encode()
+
+
+def described(chosen: Lesson, language: str) -> str:
+    """Return a lesson's program with all of its texts in a language."""
+    source = chosen.file.read_text(encoding="utf-8")
+    if language == "en":
+        return source
+    own = translator(language, f"lessons/{chosen.name}")
+    about = [wrapped("", own(text), WIDTH) for text in (chosen.title, *chosen.about)]
+    _before, _docstring, program = source.split('"""', 2)
+    return '"""' + "\n\n".join(about) + '\n"""' + program_texts.translated(program, own)
+
+
+def program_described(file: Path, language: str) -> str:
+    """Return a plain program with all of its texts in a language."""
+    source = file.read_text(encoding="utf-8")
+    if language == "en":
+        return source
+    own = translator(language, "programs")
+    _before, docstring, program = source.split('"""', 2)
+    return f'"""{wrapped("", own(docstring), WIDTH)}"""' + program_texts.translated(program, own)
+
+
+def needed(chosen: Lesson) -> list[Path]:
+    """Return the files of a lesson: itself, what it imports, its plain programs, and their data."""
+    programs = [chosen.file, *(file for name in chosen.programs for file in program_files(name))]
+    if re.search("^from text import", chosen.file.read_text(encoding="utf-8"), re.MULTILINE):
+        programs.append(LESSONS / "text.py")
+    texts = "".join(program.read_text(encoding="utf-8") for program in programs)
+    data = [LESSONS / "data" / name for name in re.findall(r'"([\w.]+)"', texts)]
+    return [*programs, *(path for path in dict.fromkeys(data) if path.is_file())]

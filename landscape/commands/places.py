@@ -1,0 +1,31 @@
+"""`landscape places`: where the island's trees, deer and plants stand, saved to a file."""
+
+import argparse
+
+from framelens.base.errors import InputError
+from framelens.base.output import check_writable, write_whole
+from landscape.commands.changes import given_changes, offscreen_options
+from landscape.elements.places_file import as_csv
+from landscape.island.island import SPRITES, Island
+from landscape.offscreen import Offscreen
+from landscape.scene.scene import scene
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write the file; return the exit status."""
+    check_writable(options.file)
+    island = scene("island")
+    given = offscreen_options(options)
+    only = tuple(name for name in (given["only"] or SPRITES) if name in SPRITES)
+    if not only:
+        raise InputError(f"--only: expected some of {', '.join(SPRITES)}")
+    given |= {"only": only, "settings": given_changes(options, island)}
+    with Offscreen((16, 16), place=island.name, **given) as offscreen:
+        offscreen.look(island.start)
+        assert isinstance(offscreen.scene, Island)
+        sprites = offscreen.scene.sprites.sprites
+    write_whole(options.file, as_csv(sprites).encode())
+    if not options.quiet:
+        print(f"{options.file}: {len(sprites.cells)} sprites")
+        print(f"landscape walk --set transparent.places={options.file}")
+    return 0

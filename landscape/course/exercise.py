@@ -1,0 +1,279 @@
+"""The exercises: which there are, what each asks, and checking a student's program.
+
+An exercise is a folder landscape/course/exercises/NAME; docs/exercises.md says what is in it.
+"""
+
+import ast
+import re
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from runpy import run_path
+from typing import Any
+
+from framelens.base.errors import InputError, short
+from framelens.base.input import read_bounded
+from framelens.base.texts import Translator, translator
+from landscape.course import program_texts
+from landscape.course.grader.budget import SECONDS
+from landscape.course.grader.evidence import Evidence
+from landscape.course.grader.evidence_file import load
+from landscape.course.grader.grading import Result, Test, _, difference, grade, tests_of
+from landscape.course.grader.sandbox import LATE, Job, Outcome, Sandbox
+from landscape.course.grader.troubles import known
+
+FOLDER = Path(__file__).resolve().parent / "exercises"
+# From one line to a page.
+NAMES: tuple[str, ...] = (
+    "missing_enable",
+    "window",
+    "first_drawing",
+    "primitives",
+    "winding",
+    "mesh_tables",
+    "homogeneous",
+    "perspective",
+    "look_at",
+    "transform_order",
+    "frames",
+    "matrix_stack",
+    "normals",
+    "light_position",
+    "materials",
+    "texture_coordinates",
+    "texture_filters",
+    "textured_sphere",
+    "fog",
+    "blending_order",
+    "clip_plane",
+    "vertex_arrays",
+    "billboard",
+    "second_viewport",
+    "mirror",
+    "planar_shadow",
+    "stencil_mirror",
+    "hidden_faces",
+    "shadow_map",
+    "projection",
+    "bresenham",
+    "line_clipping",
+    "back_faces",
+    "bezier_path",
+    "quad_tree",
+    "level_of_detail",
+    "floating_horizon",
+)
+HOLE = _("# Your code goes here.")
+LEAD = _("Lessons to read first: {lessons}.")
+MARKER = re.compile(r"^#\s*exercise:\s*(\S+)\s*$", re.MULTILINE)
+LESSONS = re.compile(r"^# lessons: (.+)$", re.MULTILINE)
+MOST_BYTES = 1 << 20  # chosen: of a program
+COLUMNS = 92  # chosen: of the task in a program
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """One exercise; ``title`` and ``task`` (its paragraphs) are in English.
+
+    ``lessons``: the names of those that it builds on.
+    """
+
+    name: str
+    title: str
+    task: Sequence[str]
+    lessons: Sequence[str] = ()
+
+    @property
+    def folder(self) -> Path:
+        """The folder of its files."""
+        return FOLDER / self.name
+
+    @property
+    def translate(self) -> "Translate":
+        """What translates its texts."""
+        return Translate(self.name)
+
+
+@dataclass(frozen=True)
+class Translate:
+    """The translators of an exercise's texts, and of the grader's own."""
+
+    name: str
+
+    def to(self, language: str) -> Translator:
+        """Return the translator to a language."""
+        return translator(language, f"exercises/{self.name}", "course")
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a check has found; without ``results`` if the program could not be graded.
+
+    ``difference`` is the fraction of the pixels that differ, in the frame where most do. ``error``
+    has a word of troubles.py and the values of its sentence.
+    """
+
+    exercise: Exercise
+    tests: Sequence[Test]
+    results: Sequence[Result] = ()
+    difference: float | None = None
+    error: Mapping[str, Any] | None = None
+    work: Evidence | None = None
+    solution: Evidence | None = None
+
+    @property
+    def passed(self) -> bool:
+        """Whether every test has passed."""
+        return bool(self.results) and all(result.passed for result in self.results)
+
+
+def paragraphs(docstring: str) -> list[str]:
+    """Return the paragraphs of a docstring, each on one line."""
+    return [" ".join(part.split()) for part in re.split(r"\n\s*\n", docstring.strip())]
+
+
+@cache
+def exercise(name: str) -> Exercise:
+    """Return the exercise of a name; InputError lists the names."""
+    if name not in NAMES:
+        raise InputError(f"{short(name)}: expected an exercise, one of {', '.join(NAMES)}")
+    code = (FOLDER / name / "start.py").read_text(encoding="utf-8")
+    title, *task = paragraphs(ast.get_docstring(ast.parse(code)) or "")
+    named = LESSONS.search(code)
+    return Exercise(name, title, task, named[1].split(", ") if named else ())
+
+
+def start(found: Exercise, language: str) -> str:
+    """Return the program that a student starts from, with its task in a language."""
+    code = (found.folder / "start.py").read_text(encoding="utf-8")
+    translated = found.translate.to(language)
+    texts = [translated(text) for text in (found.title, *found.task)]
+    texts.append(translated(LEAD).format(lessons=", ".join(found.lessons)))
+    parts = [textwrap.fill(text, COLUMNS) for text in texts]
+    # The names stay as they are: the language of OpenGL's is English.
+    program = program_texts.translated(code[code.index('"""', 3) + 3 :], translated)
+    return '"""' + "\n\n".join(parts) + '\n"""' + program.replace(HOLE, translated(HOLE))
+
+
+def named_in(path: Path) -> Exercise:
+    """Return the exercise that a student's file is of, by its line `# exercise: NAME`."""
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder, expected a program written for an exercise")
+    data = read_bounded(path, MOST_BYTES)
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: is not text, expected a Python program") from None
+
+    names = MARKER.findall(text)
+    if not names:
+        raise InputError(
+            f"{path}: expected a line such as `# exercise: {NAMES[0]}`, which says of which "
+            "exercise it is; `landscape exercise start` writes it"
+        )
+
+    if len(set(names)) > 1:
+        raise InputError(f"{path}: names two exercises, {names[0]} and {names[1]}; expected one")
+    if names[0] not in NAMES:
+        raise InputError(
+            f"{path}: {short(names[0])}: expected an exercise, one of {', '.join(NAMES)}"
+        )
+
+    return exercise(names[0])
+
+
+@cache
+def grading(name: str) -> dict[str, Any]:
+    """Return the names of an exercise's grading.py."""
+    return run_path(str(FOLDER / name / "grading.py"))
+
+
+class Grader:
+    """Checks programs, in a sandbox of its own; use it in a ``with``.
+
+    ``seconds``: how long a program may take to its last frame.
+    """
+
+    def __init__(self, seconds: float = SECONDS) -> None:
+        self._seconds = seconds
+        self._sandbox = Sandbox()
+        self._solutions: dict[str, Evidence] = {}
+
+    def __enter__(self) -> "Grader":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._sandbox.close()
+
+    def check(self, path: Path) -> Report:
+        """Run a student's program beside the solution, and grade it.
+
+        InputError if the file cannot be read or is of no exercise; NoOpenGLError.
+        """
+        found = named_in(path)
+        names = grading(found.name)
+        tests = tests_of(names)
+        error = _syntax(path)
+        if error is not None:
+            return Report(found, tests, error=error)
+        model = found.folder / "solution.py"
+        paths = [path] if found.name in self._solutions else [path, model]
+        events = names.get("EVENTS", ())
+        jobs = [Job(str(each), names["FRAMES"], events, self._seconds) for each in paths]
+        outcomes = self._sandbox.run(jobs)
+        if len(outcomes) > 1:
+            solution = _evidence(model, outcomes[1], names["FRAMES"])
+            if not isinstance(solution, Evidence):
+                raise InputError(f"{model}: the solution cannot be run here ({solution['word']})")
+            self._solutions[found.name] = solution
+
+        work = _evidence(path, outcomes[0], names["FRAMES"])
+        if not isinstance(work, Evidence):
+            values = {"seconds": self._seconds, "megabytes": jobs[0].megabytes}
+            return Report(found, tests, error={**values, **work})
+        solution = self._solutions[found.name]
+        most = max(difference(work.frame(n), solution.frame(n)) for n in solution.frames)
+        results = grade(tests, work, solution)
+        return Report(found, tests, results, most, None, work, solution)
+
+
+def _syntax(path: Path) -> dict[str, Any] | None:
+    """Return why a file is not Python; None if it is."""
+    try:
+        ast.parse(path.read_bytes())
+    except SyntaxError as error:
+        return {"word": "syntax", "line": error.lineno or 1, "error": error.msg}
+    except (ValueError, RecursionError, MemoryError):
+        return {"word": "not_python"}
+    return None
+
+
+def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence | dict[str, Any]:
+    """Return the evidence of a program that has run, or what went wrong."""
+    if outcome.ended == LATE:
+        return {"word": "late"}
+    if outcome.crashed:
+        if outcome.line:
+            return {"word": "crashed_at", "signal": outcome.ended, "line": outcome.line}
+        return {"word": "crashed", "signal": outcome.ended}
+
+    died = {"word": "died", "signal": outcome.ended or "status 0"}
+    if outcome.answer is None:
+        return died
+    try:
+        if "error" in outcome.answer:
+            error = outcome.answer["error"]
+            return dict(error) if known(error) else died
+        return load(path, outcome.answer, outcome.folder, frames)
+    except (
+        ArithmeticError,
+        AttributeError,
+        LookupError,
+        OSError,
+        RecursionError,
+        TypeError,
+        ValueError,
+    ):
+        return died  # the program itself wrote into the file

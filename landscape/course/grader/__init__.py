@@ -1,0 +1,1 @@
+"""How an exercise is graded: a sandbox, the program's evidence, tests and hints."""

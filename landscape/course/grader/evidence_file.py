@@ -1,0 +1,251 @@
+"""How the evidence of a program is written into files, in its process, and read by the grader.
+
+A file of JSON says
+
+- "frames": number to {"size", "pixels" (a file's name: rows of RGB, top row first), "calls"};
+- "setup": the calls before the first that draws;
+- "sites": what the calls of one line have in common, as [name, line, function, own, count]: "own"
+  says whether the line is the program's, not that of a module it imports, "count" is that of the
+  arguments;
+- "numbers": {"of", "values"}: the calls that only give numbers, in their order: the index of the
+  site of each, and the name of a file with the arguments of all, doubles;
+- "lists": the calls of display lists that were executed;
+- "states": OpenGL's state at the calls that draw, by the names of framelens/state/state.py; the
+  first is whole, the others are what differs from it;
+- "early": null, or the first function that was called without a context, in vain, and the line.
+
+Calls are [first, each, ...]: a number stands for so many calls that only give numbers, of which
+``first`` is the first, and [site, arguments, more] for another call. "more" may have "way", the
+lines of the program that lead to the call, from the outermost, each with the function that it
+calls; "state", an index of "states"; "inside", an index of "lists" for each display list that it
+executes; "arrays", the pointer calls of a draw call that reads vertex arrays.
+"""
+
+from array import array
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from framelens.gl import notes
+from framelens.gl.notes import Brief, plain, shown
+from framelens.spec import spec
+from landscape.course.grader.calls import KINDS, NO_LINE, Call, Item, Numbers, base
+from landscape.course.grader.evidence import Evidence, Frame
+
+LONGEST = 30_000  # chosen: numbers of an array that are kept
+VALUES = "numbers.f64"
+Block = list[Any]
+"""The calls of a frame, of the setup or of a display list, as they are written."""
+
+
+@cache
+def only_gives_numbers(name: str) -> bool:
+    """Return whether each argument of a function is a number of what it gives: glVertex3f."""
+    return base(name) in KINDS and name != base(name) and not name.endswith("v")
+
+
+def _is_brief(call: notes.Call) -> bool:
+    return only_gives_numbers(call.name) and all(type(each) in (float, int) for each in call.args)
+
+
+class Writer:
+    """Makes blocks of calls that a recording has; ``program`` is the path of the program."""
+
+    def __init__(self, program: str) -> None:
+        self._program = program
+        self._sites: dict[Any, int] = {}
+        self._written_sites: list[Any] = []
+        self._of: list[int] = []
+        self._values = array("d")
+        self._lists: list[Block] = []
+        self._of_list: dict[int, tuple[int, Any]] = {}  # its index, and the list: by its identity
+
+    def block(
+        self,
+        calls: Sequence[notes.Call],
+        more: Mapping[int, Mapping[str, Any]],
+        brief: Sequence[Brief] = (),
+        before: int = 0,
+    ) -> Block:
+        """Return calls as they are written, with short notes of others among them.
+
+        ``more``: what else there is to say of a call, by its identity. ``before``: how many calls
+        the recorder had when the first of them was made.
+        """
+        inside = [self._executed(call, more) for call in calls]
+        found: Block = [len(self._of)]
+        counts = Counter(note[0] for note in brief)
+        begin = run = 0
+        for place, call in enumerate(calls, before):
+            if place in counts:
+                run += self._take(brief[begin : begin + counts[place]])
+                begin += counts[place]
+            if id(call) not in more and _is_brief(call):
+                self._give(self._site_of(call), call.args)
+                run += 1
+                continue
+            if run:
+                found.append(run)
+                run = 0
+            found.append(self._written(call, more, inside[place - before]))
+
+        run += self._take(brief[begin:])
+        return [*found, run] if run else found
+
+    def _take(self, brief: Sequence[Brief]) -> int:
+        """Take calls of which there is a short note; return how many there are."""
+        for _, name, code, instruction, args in brief:
+            key = name, id(code), instruction, len(args)
+            site = self._sites.get(key)
+            if site is None:
+                own, function = code.co_filename == self._program, notes.qualified(code)
+                site = self._site(
+                    key, name, notes.line_of(code, instruction), function, own, len(args)
+                )
+            self._give(site, args)
+        return len(brief)
+
+    def _give(self, site: int, args: Sequence[Any]) -> None:
+        self._of.append(site)
+        self._values.extend(args)
+
+    def _executed(self, call: notes.Call, more: Mapping[int, Mapping[str, Any]]) -> list[int]:
+        """Return the indices of the display lists that a call executes."""
+        found = []
+        for each in call.executed:
+            if id(each) not in self._of_list:
+                block = self.block(each.calls(), more)
+                self._of_list[id(each)] = len(self._lists), each
+                self._lists.append(block)
+            found.append(self._of_list[id(each)][0])
+        return found
+
+    def _site_of(self, call: notes.Call) -> int:
+        at = call.site
+        key = call.name, id(at), len(call.args)
+        if key in self._sites:
+            return self._sites[key]
+        own = at.path == self._program
+        return self._site(key, call.name, at.line, at.function, own, len(call.args))
+
+    def _site(self, key: Any, name: str, *others: Any) -> int:
+        self._sites[key] = len(self._written_sites)
+        self._written_sites.append([name, *others])
+        return self._sites[key]
+
+    def _written(
+        self, call: notes.Call, more: Mapping[int, Mapping[str, Any]], inside: list[int]
+    ) -> list[Any]:
+        site, args = self._site_of(call), _arguments(call.name, call.args) if call.args else []
+        found = dict(more.get(id(call), ()))
+        # Not for each glArrayElement: thousands of them would write the arrays thousands of times.
+        if call.arrays and spec.draws(call.name):
+            found["arrays"] = [[name, _arguments(name, args)] for name, args in call.arrays]
+        if inside:
+            found["inside"] = inside
+        return [site, args, found] if found else [site, args]
+
+    def written(self, folder: Path) -> dict[str, Any]:
+        """Write the numbers into a folder, and return what is not in blocks."""
+        (folder / VALUES).write_bytes(self._values.tobytes())
+        numbers = {"of": self._of, "values": VALUES}
+        return {"sites": self._written_sites, "numbers": numbers, "lists": self._lists}
+
+
+def _arguments(name: str, args: tuple[Any, ...]) -> list[Any]:
+    """Return the arguments as JSON: enumerants by name, arrays whole if they are not too long."""
+    if name in ("glClear", "glPushAttrib"):
+        return shown(name, args)
+    return [_argument(value) for value in args]
+
+
+def _argument(value: Any) -> Any:
+    if type(value) in (float, int):
+        return value
+    if isinstance(value, (bytes, bytearray)):
+        return {"bytes": len(value)}
+    if hasattr(value, "_length_") and hasattr(value, "_type_"):
+        value = list(value)
+    if isinstance(value, (list, tuple, np.ndarray)):
+        try:
+            array = np.asarray(value)
+        except ValueError:
+            return plain(str(type(value)))
+        if array.dtype.kind in "biuf" and array.size <= LONGEST:
+            return array.tolist()
+        return {"shape": list(array.shape)}
+    return plain(value)
+
+
+def load(path: Path, answer: Mapping[str, Any], folder: Path, wanted: Sequence[int]) -> Evidence:
+    """Return the evidence of a program from what it wrote into a folder.
+
+    If it is not in that form, or a wanted frame is not there, an error of Python is raised.
+    """
+    reader = _Reader(answer, folder)
+    setup = reader.calls(answer["setup"])
+    frames = {}
+    for number in wanted:
+        found = answer["frames"][str(number)]
+        width, height = found["size"]
+        if min(width, height) < 1:
+            raise ValueError(f"a picture of {width} x {height} pixels")
+        pixels = np.fromfile(folder / Path(found["pixels"]).name, np.uint8)
+        picture = pixels.reshape(height, width, 3)
+        calls = reader.calls(found["calls"])
+        frames[number] = Frame(number, picture, setup, calls, reader.numbers)
+
+    source = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    early = answer.get("early")
+    return Evidence(path, source, frames, (str(early[0]), int(early[1])) if early else None)
+
+
+class _Reader:
+    def __init__(self, answer: Mapping[str, Any], folder: Path) -> None:
+        self._states: list[Mapping[str, Any]] = []
+        for each in answer["states"]:
+            self._states.append({**self._states[0], **each} if self._states else each)
+        self._lists = answer["lists"]
+        sites = [
+            (str(name), int(number) if own else NO_LINE, str(function), int(count))
+            for name, number, function, own, count in answer["sites"]
+        ]
+        self._sites = sites
+        of = np.array(answer["numbers"]["of"], int)
+        values = np.fromfile(folder / Path(answer["numbers"]["values"]).name, float)
+        self.numbers = Numbers(sites, of, values)
+        self.numbers.check()
+
+    def calls(self, block: Sequence[Any]) -> list[Item]:
+        """Return the calls of a block, those of display lists inside them."""
+        first, *rest = block
+        found: list[Item] = []
+        for each in rest:
+            if isinstance(each, int):
+                found.append(self.numbers.some(first, each))
+                first += each
+            else:
+                found.append(self._call(each))
+        return found
+
+    def _call(self, found: Sequence[Any]) -> Call:
+        name, number, function, _ = self._sites[found[0]]
+        if len(found) == 2:  # as most
+            return Call(name, list(found[1]), number, function)
+        more = found[2]
+        index = more.get("state")
+        inside = [self._lists[each] for each in more.get("inside", ())]
+        return Call(
+            name,
+            list(found[1]),
+            number,
+            function,
+            self._states[index] if index is not None else {},
+            more.get("arrays", ()),
+            [call for block in inside for call in self.calls(block)],
+            [(int(at), str(called)) for at, called in more.get("way", ())],
+        )

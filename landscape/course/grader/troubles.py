@@ -1,0 +1,62 @@
+"""Why a program could not be graded, as sentences; the words are those of witness.py."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from framelens.base.texts import Texts, Translator, filled
+
+SENTENCES: Texts = {
+    "raised": "line {line}: the program raised {error}",
+    "invalid_enumerant": "line {line}: the program raised GLError: invalid enumerant, in {call}: a "
+    "name in it is not one that this function accepts",
+    "invalid_value": "line {line}: the program raised GLError: invalid value, in {call}: a number "
+    "in it is not one that this function accepts",
+    "invalid_operation": "line {line}: the program raised GLError: invalid operation, in {call}: "
+    "OpenGL allows it only at other moments, not between glBegin and glEnd for instance",
+    "stack_overflow": "line {line}: the program raised GLError: stack overflow, in {call}: the "
+    "stack is full, because more is pushed than popped",
+    "stack_underflow": "line {line}: the program raised GLError: stack underflow, in {call}: the "
+    "stack has nothing left to pop, because less was pushed",
+    "memory": "line {line}: the program needs more than {megabytes} MB of memory",
+    "network": "line {line}: the program uses the network, which it cannot while it is checked",
+    "start": "line {line}: the program starts another one, which it cannot while it is checked",
+    "write": "line {line}: the program writes a file, which it cannot while it is checked",
+    "late_window": "opened no window within {seconds:g} s: does a loop before it never end?",
+    "no_window": "ended without opening a window",
+    "no_context": "shows a frame without a context: glfw.make_context_current(window) must come "
+    "before the first call of OpenGL",
+    "early": "line {line}: {call} is called before glfw.make_context_current(window): without a "
+    "context it has no effect",
+    "no_frame": "showed no frame within {seconds:g} s: glfw.swap_buffers(window) shows it",
+    "late_frame": "got no farther than frame {frames} within {seconds:g} s",
+    "ended": "ended in frame {frames}: it must go on until its window is closed",
+    "late": "did not end within {seconds:g} s, and could not be interrupted",
+    "crashed": "the program crashed ({signal})",
+    "crashed_at": "line {line}: the program crashed ({signal}): OpenGL reads arrays as far as it "
+    "is told, even beyond their end",
+    "died": "ended the Python process by itself ({signal})",
+    "two_windows": "opens two windows; an exercise needs only one",
+    "no_toolkit": "does not import glfw, so it opens no window",
+    "package": "needs a Python package that is not installed: {reason}",
+    "syntax": "line {line}: is not Python ({error})",
+    "not_python": "is not a Python program",
+    "refused": "cannot be run: {reason}",
+}
+
+
+LONGEST = 400  # chosen: characters of a sentence
+
+
+def sentence(error: Mapping[str, Any], _: Translator) -> str:
+    """Return what went wrong in a language, on one line; ``error`` has the "word" and values."""
+    word = str(error["word"])
+    return " ".join(filled(_(SENTENCES[word], word), error, _(".")).split())[:LONGEST]
+
+
+def known(error: Any) -> bool:
+    """Return whether an error has a known word and the values of its sentence."""
+    try:
+        sentence({"seconds": 0.0, "megabytes": 0, **error}, lambda text, context="": text)
+    except (AttributeError, LookupError, TypeError, ValueError):
+        return False
+    return True

@@ -1,0 +1,288 @@
+"""What is noted of a program while it runs in the sandbox: pictures, calls, and states.
+
+It is written as evidence_file.py says. A program that did not get to its last frame has "error"
+instead: what went wrong, by one of the words of landscape.course.grader.troubles, and the "line" of
+the program and other values for its message.
+"""
+
+import json
+import sys
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from functools import cache
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from framelens.base.errors import InputError
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.notes import Brief, Call
+from framelens.gl.seam import begin_pass, briefly, frame_begins, gl, outermost, recording, unnoted
+from framelens.program import program
+from framelens.program.program import Window
+from framelens.program.program_failure import CAUGHT
+from framelens.program.program_source import ProgramError
+from framelens.spec import spec
+from framelens.state import state
+from landscape.course.grader.evidence_file import Writer, only_gives_numbers
+from landscape.course.grader.refusals import Refusals
+from landscape.course.grader.troubles import SENTENCES
+
+MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
+LONGEST_CALL = 80  # chosen: characters of a call's arguments in a message
+# What changes between two draw calls without changing the rest of the state.
+UNREAD = ("vertex", "begin_end", "matrix")
+MATRICES = {  # by the names of the state
+    "GL_MODELVIEW_MATRIX": "GL_MODELVIEW_MATRIX",
+    "GL_PROJECTION_MATRIX": "GL_PROJECTION_MATRIX",
+    "GL_TEXTURE{unit}.GL_TEXTURE_MATRIX": "GL_TEXTURE_MATRIX",
+}
+
+
+def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
+    """Run a program and write the evidence; ``leave`` ends the process."""
+    refusals = Refusals(job["path"], job["folder"])
+    sys.addaudithook(refusals)
+    witness = Witness(job["path"], job["frames"], answer.parent)
+
+    def end(found: dict[str, Any]) -> None:
+        answer.write_text(json.dumps(found))
+        leave(0)
+
+    witness.finished = lambda: end(witness.evidence())
+    try:
+        with witness:
+            program.run(
+                job["path"],
+                max(job["frames"]),
+                job["events"] or None,
+                limit=job["seconds"],
+                observer=witness,
+            )
+    except ProgramError as error:
+        late = f"within {job['seconds']:g} s" in str(error)
+        end({"error": _trouble(error, witness, refusals, late)})
+    except InputError as error:
+        end({"error": {"word": "refused", "reason": str(error)}})
+
+
+def _trouble(
+    error: ProgramError, witness: "Witness", refusals: Refusals, late: bool
+) -> dict[str, Any]:
+    """Return what went wrong as a word of troubles.py, and the values of its message."""
+    if package := str(error).partition("needs the Python package ")[2]:
+        return {"word": "package", "reason": package.partition(",")[0].partition(":")[0]}
+    raised = error.details.strip().splitlines()
+    if raised:
+        line = _line_of(str(error))
+        if refusals.refused and raised[-1].startswith("PermissionError"):
+            return {"word": refusals.refused, "line": line}
+        if "MemoryError" in raised[-1]:
+            return {"word": "memory", "line": line}
+        trouble = {"line": line, **_exception(error.details)}
+        if witness.window is None and "call" in trouble:
+            trouble["word"] = "early"  # where calls without a context are errors, as on Windows
+        return trouble
+
+    if "shows a frame before" in str(error):
+        return {"word": "no_context"}
+    if witness.window is None:
+        return {"word": "late_window" if late else "no_window"}
+    if late:
+        return {"word": "late_frame" if witness.ended else "no_frame", "frames": witness.ended}
+    if "ended after" in str(error):
+        return {"word": "ended", "frames": witness.ended}
+    reason = str(error).partition(": ")[2]
+    for part, word in (
+        ("opens two windows", "two_windows"),
+        ("imports neither", "no_toolkit"),
+        ("opens its window with", "no_toolkit"),
+    ):
+        if part in reason:
+            return {"word": word}
+
+    return {"word": "refused", "reason": reason}
+
+
+def _line_of(message: str) -> int:
+    """Return the line in "FILE, line 12: the program raised ..."; 0 without one."""
+    digits = message.partition(", line ")[2].partition(":")[0]
+    return int(digits) if digits.isdigit() else 0
+
+
+def _exception(details: str) -> dict[str, Any]:
+    """Return the word for what a traceback ends with, and the values of its message."""
+    lines = [line.strip() for line in details.strip().splitlines()]
+    if lines[-1].startswith(CAUGHT):
+        return {"word": "crashed_at", "signal": lines[-1].removeprefix(CAUGHT)}
+    if lines[-1] != ")":
+        return {"word": "raised", "error": lines[-1][:200]}
+    # PyOpenGL writes its errors as GLError( err = 1280, description = b'...', ... ).
+    words = dict(line.rstrip(",").split(" = ", 1) for line in lines if " = " in line)
+    said = words.get("description", "").strip("b'\"")
+    function, given = words.get("baseOperation", "a call"), words.get("cArguments", "()")
+    whole = given.endswith(")") and len(given) < LONGEST_CALL  # large arrays fill several lines
+    call = function + given.replace(",)", ")") if whole else function
+    word = said.replace(" ", "_")
+    if word in SENTENCES:
+        return {"word": word, "call": call}
+    return {"word": "raised", "error": f"GLError: {said}, in {call}"}
+
+
+def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return what notes the calls of an OpenGL function."""
+    noted = outermost(name, function, spec.draws(name))
+    return briefly(name, function, noted) if only_gives_numbers(name) else noted
+
+
+class Witness(ExitStack):
+    """Observes a program (see framelens/program/program.py) up to the last of some frames."""
+
+    def __init__(self, program: str, frames: Sequence[int], folder: Path) -> None:
+        super().__init__()
+        self._program, self._writer = program, Writer(program)
+        self._wanted, self._folder = set(frames), folder
+        self._unnoted = ExitStack()
+        self._frames: dict[int, dict[str, Any]] = {}
+        self._states: list[dict[str, Any]] = []
+        self._of_call: dict[int, int] = {}  # the index of its state, by the call's identity
+        self._ways: dict[int, list[tuple[int, str]]] = {}
+        self._changed = True  # whether the state must be read again, and its matrices
+        self._moved = True
+        self._begin = 0
+        self.window: Window | None = None
+        self.ended = 0  # frames that are complete
+        self.finished: Callable[[], None] = lambda: None
+
+    make = staticmethod(make)
+
+    def opened(self, window: Window) -> None:
+        """Begin to record."""
+        self.window = window
+        self._recorder = self.enter_context(recording(complete=True))
+        self._recorder.before = self._before
+        self._recorder.brief = []
+        begin_pass("setup")
+
+    def frame_began(self, number: int) -> None:
+        """Forget the frames before this one, but for the setup."""
+        self._looking = number in self._wanted
+        if number:
+            self._recorder.calls[:] = [c for c in self._recorder.calls if c.pass_ == "setup"]
+            self._of_call.clear()
+            setup = {id(call) for call in self._recorder.calls}
+            self._ways = {key: way for key, way in self._ways.items() if key in setup}
+            self._recorder.brief = []
+            frame_begins()
+        self._begin = len(self._recorder.calls)
+        self._changed = True
+        # Frames between those that are looked at are not recorded: they only take their time.
+        if number and not self._looking:
+            self._unnoted.enter_context(unnoted())
+
+    def frame_ended(self, number: int) -> None:
+        """Keep the picture and the calls of a frame that is to be looked at."""
+        self._unnoted.close()
+        self.ended = number + 1
+        if number in self._wanted and self.window is not None:
+            size = self.window.size()
+            with unnoted():
+                pixels = read_pixels(size)
+            name = f"frame-{number}.rgb"
+            (self._folder / name).write_bytes(pixels.tobytes())
+            calls = self._recorder.calls
+            frame = [call for call in calls if call.pass_ != "setup"]
+            brief = self._recorder.brief or ()
+            self._frames[number] = {
+                "size": list(size),
+                "pixels": name,
+                "calls": self._block(frame, brief, len(calls) - len(frame)),
+            }
+
+        if number == max(self._wanted):
+            self.finished()
+
+    def notice(self, text: str) -> None:
+        """Take a sentence for the user, of which a grader has no need."""
+
+    def evidence(self) -> dict[str, Any]:
+        """Return all that was noted."""
+        first = self._states[0] if self._states else {}
+        others = [
+            {name: value for name, value in each.items() if value != first[name]}
+            for each in self._states[1:]
+        ]
+        setup = [call for call in self._recorder.calls if call.pass_ == "setup"]
+        return {
+            "frames": self._frames,
+            "setup": self._block(setup),
+            "states": [first, *others],
+            "early": self.window.early if self.window is not None else None,
+            **self._writer.written(self._folder),
+        }
+
+    def _block(self, calls: Sequence[Call], brief: Sequence[Brief] = (), before: int = 0) -> Any:
+        more = {}
+        for call in calls:
+            found: dict[str, Any] = {}
+            if id(call) in self._ways:
+                found["way"] = self._ways[id(call)]
+            if id(call) in self._of_call:
+                found["state"] = self._of_call[id(call)]
+            if found:
+                more[id(call)] = found
+        return self._writer.block(calls, more, brief, before)
+
+    def _before(self, call: Call) -> None:
+        """Read the state before a call that draws."""
+        if len(self._recorder.calls) + len(self._recorder.brief or ()) - self._begin > MOST_CALLS:
+            raise MemoryError
+        group, draws = _kind(call.name)
+        if group == "vertex":
+            return
+        self._ways[id(call)] = _way(call, self._program)
+        if draws or call.name.startswith("glCallList"):
+            self._of_call[id(call)] = self._state_now()
+            self._changed = self._changed or call.name.startswith("glCallList")
+            return
+        self._moved = self._moved or group == "matrix"
+        self._changed = self._changed or group not in UNREAD
+
+    def _state_now(self) -> int:
+        """Return the index of the current state among those that were read."""
+        if self._changed or not self._states:
+            with unnoted():
+                self._states.append(state.read())
+        elif self._moved:
+            with unnoted():
+                unit = int(gl.glGetIntegerv(gl.GL_ACTIVE_TEXTURE)) - gl.GL_TEXTURE0
+                now = {
+                    name.format(unit=unit): gl.glGetFloatv(getattr(gl, matrix)).ravel().tolist()
+                    for name, matrix in MATRICES.items()
+                }
+            self._states.append({**self._states[-1], **now})
+        self._changed = self._moved = False
+        return len(self._states) - 1
+
+
+@cache
+def _kind(name: str) -> tuple[str, bool]:
+    """Return the group of a function, and whether it draws."""
+    known = spec.function(name)
+    return known.group if known is not None else "", spec.draws(name)
+
+
+def _way(call: Call, program: str) -> list[tuple[int, str]]:
+    """Return the program's lines that lead to a call that is being made, and what each calls."""
+    at: FrameType | None = sys._getframe(1)
+    while at is not None and at.f_code.co_filename != call.site.path:
+        at = at.f_back
+    found, called = [], call.name
+    while at is not None:
+        if at.f_code.co_filename == program:
+            found.append((at.f_lineno, called))
+            if at.f_code.co_name == "<module>":
+                break
+        called = at.f_code.co_name
+        at = at.f_back
+    return found[::-1]

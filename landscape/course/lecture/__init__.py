@@ -1,0 +1,1 @@
+"""The lecture: its file, its plates, and the window that shows it."""

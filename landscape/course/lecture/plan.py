@@ -1,0 +1,241 @@
+"""A lecture: a text file that a teacher writes, and its steps. docs/lecture.md describes the file.
+
+    title: Mirrors
+
+    clip_plane
+    The plane keeps what is above the water.
+    code: glClipPlane, 40-48, "glDisable(GL_CLIP"
+    keys: SPACE
+    note: Ask what happens if it is called before the viewing transform.
+
+Blocks are separated by empty lines. The first line of a block names what the step shows.
+"""
+
+import ast
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from framelens.base.errors import InputError, short
+from framelens.base.input import read_bounded
+from framelens.program.program_events import KEYS as KEY_NAMES
+from landscape.course.ladder import NAMES, lesson
+from landscape.scene.scene import find_view
+
+COURSE = Path(__file__).resolve().parents[1] / "lectures" / "course.txt"
+MOST_BYTES = 1 << 20  # chosen: of a lecture's file
+LESSON, VIEW, PROGRAM = "lesson", "view", "program"  # kinds of steps
+KEYS = ("title", "code", "note", "keys")
+KINDS = "a lesson, a view, a fix, or the path of a .py program"
+
+
+@dataclass
+class Step:
+    """A step as the file has it: ``name`` of a lesson or a view, or what it calls a program.
+
+    ``file`` is a lesson's or a program's, ``code`` the numbers of its lines that matter, None where
+    the lecture names none. ``caption``, ``title`` and ``notes`` are empty where it does not say.
+    """
+
+    name: str
+    kind: str
+    line: int
+    file: Path | None = None
+    title: str = ""
+    caption: str = ""
+    code: frozenset[int] | None = None
+    notes: list[str] = field(default_factory=list)
+    keys: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Lecture:
+    """A lecture: its title, and its steps in their order."""
+
+    title: str
+    steps: Sequence[Step]
+
+
+def read(path: Path) -> Lecture:
+    """Read a lecture; InputError, in one line with the file and its line, if something is wrong."""
+    text = read_bounded(path, MOST_BYTES).decode("utf-8-sig", "surrogateescape")
+    if re.search("[\ud800-\udfff\x00]", text):
+        raise InputError(f"{path}: is not text in UTF-8; expected a lecture")
+    title, steps = "", []
+    for number, block in enumerate(_blocks(text)):
+        if number == 0 and _key(block[0][1])[0] == "title":
+            title = _key(block[0][1])[1]
+            block = block[1:]
+        if block:
+            steps.append(_step(path, block))
+    if not steps:
+        raise InputError(f"{path}: has no steps; expected blocks that begin with {KINDS}")
+    return Lecture(title or path.stem, steps)
+
+
+def course() -> Lecture:
+    """Return the lecture that comes with the program, of the whole course."""
+    return read(COURSE)
+
+
+def texts(lecture: Lecture) -> Iterator[str]:
+    """Yield the texts of a lecture that can be translated."""
+    yield lecture.title
+    for step in lecture.steps:
+        yield from (text for text in (step.title, step.caption, *step.notes) if text)
+
+
+Lines = list[tuple[int, str]]
+"""Lines with their numbers, from 1."""
+
+
+def _blocks(text: str) -> Iterator[Lines]:
+    """Yield the blocks; an indented line continues the one before it, # begins a comment."""
+    block: Lines = []
+    for number, line in enumerate((*text.splitlines(), ""), 1):
+        if line.startswith("#"):
+            continue
+        if line[:1].isspace() and line.strip() and block:
+            block[-1] = block[-1][0], f"{block[-1][1]} {line.strip()}"
+        elif line.strip():
+            block.append((number, line.strip()))
+        elif block:
+            yield block
+            block = []
+
+
+def _key(line: str) -> tuple[str, str]:
+    """Return the key that a line begins with, and its value; "" and the line without one."""
+    found = re.match(r"([A-Za-z]+):\s*(.*)", line)
+    if found and (found[1].islower() or found[1].lower() in KEYS):
+        return found[1].lower(), found[2]
+    return "", line
+
+
+def _step(path: Path, block: Lines) -> Step:
+    number, name = block[0]
+    step = _named(path, number, name)
+    captions = []
+    for number, line in block[1:]:
+        where = f"{path}, line {number}"
+        key, value = _key(line)
+        if not key:
+            captions.append(line)
+        elif key not in KEYS:
+            raise InputError(f"{where}: {short(key)}: expected one of {', '.join(KEYS)}, or text")
+        elif not value:
+            raise InputError(f"{where}: {key}: expected something after the colon")
+        elif key == "title":
+            step.title = value
+        elif key == "note":
+            step.notes.append(value)
+        elif key == "keys":
+            step.keys += tuple(_pressed(where, value))
+        elif step.file is None:
+            raise InputError(f"{where}: code: {name} is a view; expected it at a lesson or program")
+        else:
+            step.code = (step.code or frozenset()) | _lines(where, step.file, value)
+
+    step.caption = " ".join(captions)
+    return step
+
+
+def _named(path: Path, line: int, name: str) -> Step:
+    """Return the step that a block's first line names."""
+    if name in NAMES:
+        return Step(name, LESSON, line, lesson(name).file)
+    if name.endswith(".py"):
+        file = path.parent / name
+        if not file.is_file():
+            raise InputError(f"{path}, line {line}: {short(name)}: there is no such file")
+        return Step(name, PROGRAM, line, file)
+    try:
+        find_view(name)
+    except InputError:
+        raise InputError(f"{path}, line {line}: {short(name)}: expected {KINDS}") from None
+    return Step(name, VIEW, line)
+
+
+def _pressed(where: str, value: str) -> Iterator[str]:
+    for key in re.split(r"[\s,]+", value):
+        if key.upper() not in KEY_NAMES:
+            raise InputError(
+                f"{where}: keys: {short(key)}: expected names such as SPACE, LEFT or 1"
+            )
+        yield key.upper()
+
+
+def _lines(where: str, file: Path, value: str) -> frozenset[int]:
+    """Return the lines that ``code:`` names: ranges, quoted fragments, names in the file."""
+    source = file.read_text(encoding="utf-8", errors="replace")
+    lines = source.splitlines()
+    found: set[int] = set()
+    for item in re.findall(r'"[^"]*"|[^,\s][^,]*', value):
+        item = item.strip()
+        span = re.fullmatch(r"(\d{1,6})(?:\s*-\s*(\d{1,6}))?", item)
+        if span:
+            first, last = int(span[1]), int(span[2] or span[1])
+            if not 1 <= first <= last <= len(lines):
+                raise InputError(
+                    f"{where}: code: {item}: expected lines from 1 to {len(lines)} of {file.name}"
+                )
+            found.update(range(first, last + 1))
+            continue
+        fragment = item.strip('"')
+        mine = _function(source, fragment) or {
+            number
+            for number, line in enumerate(lines, 1)
+            if (fragment in line if item[0] == '"' else re.search(_word(fragment), line))
+        }
+        if not fragment or not mine:
+            raise InputError(f"{where}: code: {short(item)}: is not in {file.name}")
+        found |= mine
+
+    return frozenset(found)
+
+
+def _word(name: str) -> str:
+    return rf"(?<!\w){re.escape(name)}(?!\w)"
+
+
+def _function(source: str, name: str) -> set[int]:
+    """Return the lines of the function of this name."""
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return set()
+    return {
+        number
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef) and node.name == name
+        for number in range(node.lineno, (node.end_lineno or node.lineno) + 1)
+    }
+
+
+CALLS = re.compile(r"\b(?:gl[A-Z]\w*|GL_\w+|glfw\.\w+)")
+
+
+def new_lines(name: str) -> frozenset[int]:
+    """Return the lines of a lesson with names of OpenGL or GLFW that no lesson before it has."""
+    before: set[str] = set()
+    for each in NAMES[: NAMES.index(name)]:
+        before.update(CALLS.findall(lesson(each).file.read_text(encoding="utf-8")))
+    lines = lesson(name).file.read_text(encoding="utf-8").splitlines()
+    texts = in_texts(lines)
+    return frozenset(
+        number
+        for number, line in enumerate(lines, 1)
+        if set(CALLS.findall(line)) - before and number not in texts
+    )
+
+
+def in_texts(lines: Sequence[str]) -> set[int]:
+    """Return the numbers of the lines that are comments, or in a docstring."""
+    found, inside = set(), False
+    for number, line in enumerate(lines, 1):
+        quotes = line.count('"""')
+        if inside or quotes or line.lstrip().startswith("#"):
+            found.add(number)
+        inside ^= quotes % 2 == 1
+    return found

@@ -1,0 +1,61 @@
+"""Making a film: its frames are drawn by several processes and encoded in order into one file."""
+
+import argparse
+from contextlib import closing, suppress
+from pathlib import Path
+
+import numpy as np
+
+from framelens.base.progress import Progress
+from framelens.commands.reporting import notify
+from framelens.system import interrupts_held
+from landscape.film.cut import Film
+from landscape.film.encode import Encoder, encoder
+from landscape.film.workers import drawn
+
+SAMPLED = 12  # chosen: how many frames the palette of a GIF is made from
+
+
+def write(film: Film, out: Path, jobs: int, quiet: bool = True) -> int:
+    """Draw a film by ``jobs`` processes into a file; return how many frames it has.
+
+    They are fewer than the film's after Ctrl-C; if there is none yet, KeyboardInterrupt goes on,
+    and nothing is written. InputError and NoOpenGLError, too, leave what stood there before.
+    """
+    encoded: Encoder | None = None
+    done = 0
+    try:
+        with Progress(film.frames, quiet) as progress:
+            encoded = encoder(out, film.drawing.size, film.fps, lambda: samples(film, jobs))
+            with suppress(KeyboardInterrupt), closing(drawn(film, jobs)) as pictures:
+                for pixels in pictures:
+                    with interrupts_held():
+                        encoded.add(pixels)
+                        done += 1
+                    progress.step("frames")
+        if not done:
+            raise KeyboardInterrupt
+        with interrupts_held():
+            encoded.finish()
+    finally:
+        if encoded is not None:
+            encoded.discard()
+
+    return done
+
+
+def samples(film: Film, jobs: int) -> list[np.ndarray]:
+    """Return some of the film's pictures, small, from all over it."""
+    count = min(SAMPLED, film.frames)
+    numbers = [(2 * k + 1) * film.frames // (2 * count) for k in range(count)]
+    return [pixels[::2, ::2] for pixels in drawn(film, jobs, numbers)]
+
+
+def finished(film: Film, kept: int, options: argparse.Namespace) -> int:
+    """Say what was written, ``kept`` frames of a film; return the exit status."""
+    if kept < film.frames:
+        notify(options, [f"interrupted: {options.out} has {kept} of {film.frames} frames"])
+        return 130
+    if not options.quiet:
+        print(options.out)
+    return 0

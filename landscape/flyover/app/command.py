@@ -1,0 +1,168 @@
+"""`landscape flyover`: flies over a terrain without OpenGL, in pictures or in a table of times."""
+
+import argparse
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from framelens.base.errors import InputError
+from framelens.base.output import check_writable, output_paths, save_png, write_whole
+from framelens.base.progress import Progress
+from landscape.flyover import crew, exchange
+from landscape.flyover.app import ranking as flyover_ranking
+from landscape.flyover.app.options import EXPORT, SIZE
+from landscape.flyover.crew import Crew
+from landscape.flyover.environment import Environment, export_island, open_environment
+from landscape.flyover.settings import PRESETS, Settings, check
+from landscape.settings.declare import preset, read_toml, with_settings
+
+FASTEST = 1000.0  # frames per second, chosen
+MOST_FRAMES = 100_000  # chosen: almost an hour at 30 frames per second
+FILMS = (".mp4", ".webm", ".gif")
+SEVERAL = 8  # pictures, chosen: fewer are drawn before another process is ready
+Shown = Callable[[Environment, Settings, argparse.Namespace], int]
+
+
+def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) -> int:
+    """Do what the command line asks; return the exit status. Raises InputError.
+
+    ``watch`` shows the flight in a window, ``film`` draws it to a file; ``version`` is this
+    program's, for the results of a benchmark.
+    """
+    if options.rank:
+        print(flyover_ranking.ranking([flyover_ranking.read(path) for path in options.rank]))
+        return 0
+    if options.file == EXPORT:
+        return export(options)
+    if options.export:
+        raise InputError(f"flyover {options.file} {options.export}: expected one environment")
+    if not 0 < options.fps <= FASTEST:
+        raise InputError(f"--fps {options.fps:g}: expected a number above 0, up to {FASTEST:g}")
+    if options.at < 0:
+        raise InputError(f"--at {options.at:g}: expected seconds from 0")
+    if options.bench and options.at:
+        raise InputError("--at: not with --bench, which flies the whole path")
+    if options.json is not None and not options.bench:
+        raise InputError("--json: expected --bench, whose results it writes")
+    if options.bench and options.out is not None:
+        raise InputError("--out: not with --bench, which keeps no pictures")
+    alone = [name for name in ("bench", "profile", "folder") if getattr(options, name)]
+    if len(alone) > 1:
+        raise InputError("flyover: expected one of --bench, --profile and --export")
+    values = settings_of(options)
+    any_size = bool(values.flyover.resolution)
+    if Path(options.file).is_dir():
+        environment = exchange.read(Path(options.file), any_size)
+    else:
+        environment = open_environment(options.file, any_size)
+
+    for line in () if options.quiet else environment.notices:
+        print(f"landscape: {line}", file=sys.stderr)
+    duration = environment.duration(values.flyover)
+    if options.at >= duration:
+        raise InputError(
+            f"--at {options.at:g}: expected less than the {duration:.1f} seconds of the flight"
+        )
+
+    if options.bench:
+        return bench(environment, values, options, version)
+    if options.profile:
+        return profile(environment, values, options)
+    if options.folder is not None:
+        written = exchange.write(environment, values.flyover, options.folder, options.fps)
+        if not options.quiet:
+            print(*written, sep="\n")
+        return 0
+
+    if options.out is None:
+        return watch(environment, values, options)
+    if options.out.suffix.lower() in FILMS:
+        return film(environment, values, options)
+    return draw(environment, values, options)
+
+
+def settings_of(options: argparse.Namespace) -> Settings:
+    """Return the settings of --preset, --settings and --set, each overriding the one before."""
+    changes = read_toml(options.settings) if options.settings else {}
+    values = preset(Settings(), PRESETS, options.preset)
+    values = with_settings(values, changes | dict(options.changes))
+    check(values)
+    return values
+
+
+def export(options: argparse.Namespace) -> int:
+    """Write the island as an environment."""
+    if not options.export:
+        raise InputError("flyover export: expected the name of the file to write, such as mine.svg")
+    if options.bench or options.out is not None or options.frames is not None:
+        raise InputError("flyover export: expected neither --bench nor --out nor --frames")
+    path = Path(options.export)
+    export_island(path)
+    if not options.quiet:
+        print(path)
+    return 0
+
+
+def draw(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Draw the flight's frames, each from its own time alone, to PNG files."""
+    size = options.size or SIZE
+    terrain = environment.field(values.flyover)
+    flight = environment.flight(terrain, values.flyover)
+    whole = max(round((flight.duration - options.at) * options.fps), 1)
+    count = min(whole, MOST_FRAMES) if options.frames is None else options.frames
+    single = options.out.suffix.lower() == ".png"
+    if options.frames is None and single:
+        count = 1
+    if not 1 <= count <= MOST_FRAMES:
+        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+    paths = output_paths(options.out, [f"frame-{number:05}" for number in range(count)])
+    jobs = crew.processes(options.jobs) if count >= SEVERAL else 1
+    with Crew(terrain, jobs) as drawing, Progress(count, options.quiet) as progress:
+        for number, path in enumerate(paths):
+            camera = flight.camera(options.at + number / options.fps)
+            save_png(drawing.draw(camera, values, size).picture, path)
+            progress.step(path.name)
+
+    if not options.quiet:
+        print(*paths, sep="\n")
+    return 0
+
+
+def profile(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Print where the time of a flight goes."""
+    from landscape.flyover.app import bench as flyover_bench
+    from landscape.flyover.app import profile as flyover_profile
+
+    count = flyover_bench.FRAMES if options.frames is None else options.frames
+    if not 1 <= count <= MOST_FRAMES:
+        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+    with Progress(count, options.quiet) as progress:
+        text = flyover_profile.profile(
+            environment, values, options.size or SIZE, count, progress.step
+        )
+    print(text)
+    return 0
+
+
+def bench(
+    environment: Environment, values: Settings, options: argparse.Namespace, version: str
+) -> int:
+    """Measure every technique along the path; print a table, or write it as JSON, too."""
+    from landscape.flyover.app import bench as flyover_bench
+
+    if options.json is not None:
+        check_writable(options.json, "--json ")
+    count = flyover_bench.FRAMES if options.frames is None else options.frames
+    if not 1 <= count <= MOST_FRAMES:
+        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+    rows, jobs = flyover_bench.rows(values), crew.processes(options.jobs)
+    with Progress(len(rows) * count, options.quiet) as progress:
+        result = flyover_bench.measure(
+            environment, rows, options.size or SIZE, count, jobs, progress.step, version
+        )
+    if options.json is not None:
+        write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())
+    if not options.quiet:
+        print(flyover_bench.report(result))
+    return 0

@@ -1,8 +1,0 @@
-"""The Python package glfw, with its library for the display there is; import it from here only.
-
-Raises NoOpenGLError on import if the package cannot be loaded.
-"""
-
-from landscape.gl.display import import_glfw
-
-glfw = import_glfw()

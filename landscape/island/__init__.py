@@ -1,0 +1,1 @@
+"""The island of the report: its draw order, views and fixes."""

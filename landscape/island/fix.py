@@ -1,0 +1,59 @@
+"""A fix for a flaw in the pictures of 2006, shown by one picture before and one after."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from landscape.frame import Pose
+from landscape.island.views import OUTDOORS, VIEWS
+from landscape.scene.scene import View
+
+GROUND = None  # as a pose's y: eye height above the ground
+
+
+@dataclass(frozen=True)
+class Fix:
+    """One fix: where to see it, the settings before and after, and its captions.
+
+    ``view`` is a pose, or the name of the view whose pose to take; ``after_pose`` replaces it in
+    the second picture. ``off`` and ``on`` are the settings before and after, ``common`` those of
+    both pictures; ``only`` names the elements to show. ``flaw`` says what is wrong, and which
+    figure shows it; ``look`` what to compare; ``how`` what changes in OpenGL; ``seen`` describes
+    the two pictures for readers who cannot see them.
+    """
+
+    name: str
+    title: str
+    view: str | Pose
+    kt: float
+    off: Mapping[str, Any]
+    on: Mapping[str, Any]
+    flaw: str
+    look: str
+    how: str
+    seen: tuple[str, str]
+    common: Mapping[str, Any] = field(default_factory=dict)
+    only: tuple[str, ...] = OUTDOORS
+    after_pose: Pose | None = None
+
+    def settings(self, after: bool) -> dict[str, Any]:
+        """Return the settings of one picture, on top of the preset 2006."""
+        return {**self.common, **(self.on if after else self.off)}
+
+    def pose(self, after: bool) -> Pose:
+        """Return the pose of one picture; its y may be GROUND."""
+        if after and self.after_pose is not None:
+            return self.after_pose
+        return VIEWS[self.view].pose if isinstance(self.view, str) else self.view
+
+    def as_view(self) -> View:
+        """Return the view that the picture after the fix shows, under the fix's name."""
+        return View(
+            self.name,
+            self.title,
+            self.pose(True),
+            self.kt,
+            preset="2006",
+            shown=self.only,
+            settings=self.settings(True),
+        )

@@ -1,0 +1,1 @@
+"""What island, hall and voxels share: scene, view, and pairs of pictures to compare."""

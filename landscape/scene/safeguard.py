@@ -1,0 +1,56 @@
+"""What a safeguard of a scene is: a pair of settings, pictures and captions.
+
+Each scene that has some derives a class of its own, which knows the scene's views.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from landscape.frame import Pose
+from landscape.scene.scene import View
+
+
+@dataclass(frozen=True)
+class Safeguard:
+    """One safeguard: where to see it, the settings without and with it, and its captions.
+
+    ``view`` is a pose, or the name of the view whose pose to take. ``flaw`` says what goes wrong,
+    ``look`` what to compare, ``how`` what the safeguard does in OpenGL; ``seen`` describes the two
+    pictures for readers who cannot see them.
+    """
+
+    VIEWS: ClassVar[Mapping[str, View]] = {}
+    STANDING: ClassVar[tuple[str, ...]] = ()
+    """The names of the elements that both pictures show."""
+
+    name: str
+    title: str
+    view: str | Pose
+    kt: float
+    off: Mapping[str, Any]
+    on: Mapping[str, Any]
+    flaw: str
+    look: str
+    how: str
+    seen: tuple[str, str]
+
+    def settings(self, after: bool) -> Mapping[str, Any]:
+        """Return the settings of one picture: without the safeguard, or with it."""
+        return self.on if after else self.off
+
+    def pose(self, after: bool) -> Pose:
+        """Return the pose of both pictures; its y may be None."""
+        return self.VIEWS[self.view].pose if isinstance(self.view, str) else self.view
+
+    def as_view(self) -> View:
+        """Return the view with the safeguard, under its name."""
+        return View(
+            self.name, self.title, self.pose(True), self.kt, shown=self.STANDING, settings=self.on
+        )
+
+
+def pair(key: str, **beside: Any) -> dict[str, dict[str, Any]]:
+    """Return the settings without and with a safeguard; groups of ``beside`` hold others."""
+    others = {f"{group}.{k}": v for group, values in beside.items() for k, v in values.items()}
+    return {"off": {**others, key: False}, "on": {**others, key: True}}

@@ -1,0 +1,152 @@
+"""When a setting has an effect: conditions on other settings and on what is shown.
+
+A condition is declared beside the setting as plain text: alternatives joined by " or ". Each is the
+key of a setting that is on or not 0, such as ``fog.enabled``; a comparison, ``fog.mode=linear``,
+``ground.units!=none`` or ``plants.species>1``; or a word without a dot: an element that is shown,
+or ``walk``, as opposed to a still. ``not`` before a key or a word negates it. A setting has an
+effect if all of its conditions hold.
+
+No setting is named here: each scene brings its own. Scenes may share a group, such as the sun: what
+the conditions say of settings and elements that a scene does not have is left out for it.
+"""
+
+import re
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from landscape.settings.declare import current_names, fields, get
+
+WALK = "walk"  # the word for a walk: settings of the walker do nothing in a still
+
+
+@dataclass(frozen=True)
+class Term:
+    """One alternative of a condition; ``sign`` is "", "=", "!=" or ">", compared with ``value``."""
+
+    negated: bool
+    name: str
+    sign: str
+    value: str
+
+    @property
+    def is_setting(self) -> bool:
+        """Whether this is about a setting; otherwise it is about an element or the walk."""
+        return "." in self.name
+
+    def known(self, settings: Any, elements: Collection[str]) -> bool:
+        """Return whether a scene of these settings and elements has what this is about."""
+        if self.is_setting:
+            return self.name in fields(type(settings))
+        return self.name in (*elements, WALK)
+
+    def holds(self, settings: Any, shown: Collection[str]) -> bool:
+        """Return whether the alternative is true of these settings and words."""
+        if not self.is_setting:
+            return (self.name in shown) != self.negated
+        now = get(settings, self.name)
+        if self.sign == ">":
+            assert isinstance(now, int | float)
+            return now > float(self.value)
+        if self.sign:
+            return (value_text(now) == self.value) == (self.sign == "=")
+        return bool(now) != self.negated
+
+
+@cache
+def terms(condition: str) -> tuple[Term, ...]:
+    """Return the alternatives of a condition."""
+    found = []
+    for part in condition.split(" or "):
+        match = re.fullmatch(r"(not )?([\w.]+)(?:(!=|=|>)(\S+))?", part)
+        assert match, f"{condition!r}: not a condition"
+        negated, name, sign, value = match.groups(default="")
+        found.append(Term(bool(negated), name, sign, value))
+    return tuple(found)
+
+
+def conditions(kind: type, key: str) -> tuple[str, ...]:
+    """Return the conditions of a key of a settings class.
+
+    Those of its group, the class attribute ``NEEDS``, hold for each setting of the group, except
+    for the one that they are about.
+    """
+    group = type(kind.__dataclass_fields__[key.split(".")[0]].default)  # type: ignore[attr-defined]
+    every = (*getattr(group, "NEEDS", ()), *fields(kind)[key].metadata["needs"])
+    return tuple(each for each in every if all(term.name != key for term in terms(each)))
+
+
+def in_words(kind: type, condition: str) -> str:
+    """Return a condition in words, as in "fog.enabled on or grass shown".
+
+    ``kind`` is the settings class; alternatives about other settings are left out.
+    """
+    found = []
+    for term in terms(condition):
+        if term.is_setting and term.name not in fields(kind):
+            continue
+        state = {"=": "", "!=": "not ", ">": "above "}.get(term.sign, "") + term.value
+        if not term.is_setting:
+            state = "not shown" if term.negated else "shown"
+        elif not term.sign and isinstance(fields(kind)[term.name].default, bool):
+            state = "off" if term.negated else "on"
+        elif not term.sign:
+            state = "0" if term.negated else "not 0"
+        found.append(f"{term.name} {state}")
+    return " or ".join(found)
+
+
+def ignored(settings: Any, key: str, shown: Collection[str], elements: Collection[str]) -> str:
+    """Return why a setting has no effect beside the others; "" if it has one.
+
+    ``shown`` names the elements that are shown, of the scene's ``elements``, and contains WALK in a
+    walk.
+    """
+    failed: list[Term] = []
+    for condition in conditions(type(settings), key):
+        known = [term for term in terms(condition) if term.known(settings, elements)]
+        if known and not any(term.holds(settings, shown) for term in known):
+            failed += known
+    if any(term.name == WALK for term in failed):
+        return "ignored outside a walk"
+    return "ignored while " + _listed(_reasons(settings, failed)) if failed else ""
+
+
+def notices(
+    settings: Any, given: Iterable[str], shown: Collection[str], elements: Collection[str]
+) -> dict[str, str]:
+    """Return a line for each given key that has no effect beside the others, by key."""
+    lines = {}
+    for key in current_names(settings, dict.fromkeys(given))[0]:
+        if key in fields(type(settings)) and (why := ignored(settings, key, shown, elements)):
+            lines[key] = f"setting {key}: {why}"
+    return lines
+
+
+def _reasons(settings: Any, failed: Iterable[Term]) -> Iterator[str]:
+    """Yield what each of these alternatives, which do not hold, finds instead."""
+    failed = list(dict.fromkeys(failed))
+    hidden = [term.name for term in failed if not term.is_setting and not term.negated]
+    keys = dict.fromkeys(term.name for term in failed if term.is_setting)
+    yield from (f"{name} is {value_text(get(settings, name))}" for name in keys)
+    yield from (f"{t.name} is shown" for t in failed if not t.is_setting and t.negated)
+    if hidden:
+        yield f"{_listed(hidden)} {'are' if len(hidden) > 1 else 'is'} not shown"
+
+
+def _listed(parts: Iterable[str]) -> str:
+    """Join parts as English does: "a, b and c"."""
+    *first, last = parts
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def value_text(value: Any) -> str:
+    """Return a setting's value as people write it."""
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    if isinstance(value, tuple):
+        return ",".join(map(value_text, value))
+    if isinstance(value, float):
+        return f"{value:.0f}" if value.is_integer() else f"{value:g}"
+    return str(value)

@@ -1,0 +1,1 @@
+"""The studio's castle: masonry, gate, fire, stones and the sword."""

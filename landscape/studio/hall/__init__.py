@@ -1,0 +1,1 @@
+"""The studio's great hall: its stone, mosaic and baked light."""

@@ -1,0 +1,1 @@
+"""What the studio makes for the lessons."""

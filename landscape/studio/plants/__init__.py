@@ -1,0 +1,1 @@
+"""The studio's plants: trees, herbs and grass."""

@@ -1,0 +1,1 @@
+"""The studio's textures for the voxel island."""

@@ -1,1 +1,0 @@
-"""Tools: trace, doctor, benchmarks, asset checks, rendering many stills."""

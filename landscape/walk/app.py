@@ -1,0 +1,423 @@
+"""The window: from a frame's input to its picture on the screen.
+
+Every frame (loop.py) advances the walk by one :class:`Tick`, live or from a recording. Nothing else
+does, so a replay reproduces a recorded walk to the pixel.
+"""
+
+import time
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, Self
+
+import numpy as np
+
+from framelens.base.errors import InputError, NoOpenGLError
+from framelens.base.texts import translator
+from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.glfw_library import glfw
+from framelens.gl.seam import gl
+from framelens.inspector.inspector_frame import Inspection
+from framelens.inspector.keys import system_name
+from framelens.inspector.panel import Panel
+from framelens.tape.edits import Edit
+from landscape.files.assets import Assets
+from landscape.geometry.doors import Door
+from landscape.scene.scene import Moment, scene
+from landscape.settings import declare
+from landscape.walk import words
+from landscape.walk.builder import SWITCHES, Builder, WorldFile
+from landscape.walk.digits import help_rows, hint, pressed
+from landscape.walk.hands import Hands
+from landscape.walk.keys import BY_ACTION, SETTINGS, labels
+from landscape.walk.place import Place, Places, at_doors, list_picture
+from landscape.walk.recording import MAX_SECONDS, Plan, Tick
+from landscape.walk.screen import FrameRate, FullScreen, hide_cursor, save_screenshot
+from landscape.walk.sizes import Resizer, check_viewport
+from landscape.walk.steady import Steady
+from landscape.walk.walker import Intent, advance, aimed, start
+
+SHOWN = 2.0  # seconds for which a message is shown
+FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
+EMPTY = (0.16, 0.22, 0.28)  # chosen: RGB of a window whose scene is not open yet
+REST = 0.05  # chosen: seconds between checks of a window that is minimised or has no area
+
+
+class Walk:
+    """A window, a scene in it, and the walker; use as ``with Walk(...) as walk``.
+
+    The backends "osmesa" and "egl" need no screen: on GLFW's null platform they render into memory.
+    """
+
+    def __init__(
+        self,
+        plan: Plan,
+        assets: Assets,
+        backend: str = "auto",
+        fullscreen: bool = False,
+        fps: float = 0.0,
+        enlarged: bool = False,
+        edits: Sequence[Edit] = (),
+        context: GLFWContext | None = None,
+        world: WorldFile | None = None,
+    ) -> None:
+        """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
+
+        Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
+        ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed.
+        """
+        self.headless = backend in (*HEADLESS, "headless")
+        self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
+        self.place.begin_with(plan.view)
+        self._places, self._door = Places(plan), ""
+        self.kt = plan.kt
+        self.seconds = self._stood = 0.0  # that the walk went on, and stood still
+        self._language = plan.language
+        self._wireframe = plan.wireframe
+        self._help = False
+        self._message = ""
+        self._until = 0.0
+        self._note = ""
+        self._shoot = False
+        self._row = ""
+        self._done = ""
+        self._assets, self._seed = assets, plan.seed
+        self.resizer = Resizer()
+        self._size = (0, 0)
+        self.hands = Hands(system_name)
+        self._builder = Builder(world, plan.language)
+        self._panel: Panel | None = None
+        self.steady = Steady(fps)
+        self._context: GLFWContext | None = context or GLFWContext(
+            plan.size, "landscape", True, fullscreen, backend, enlarged
+        )
+        self.inspection = Inspection(edits, plan.language)
+        self._full_screen = FullScreen(self._context.size)
+
+        try:
+            self._open(plan)
+        except BaseException:
+            self.close()
+            raise
+
+    def _open(self, plan: Plan) -> None:
+        assert self._context is not None
+        check_viewport(plan.size)
+        self.window = self._context.window
+        if not self.headless:
+            glfw.swap_interval(1)
+        self.hands.listen(self.window)
+        dpi = max(glfw.get_window_content_scale(self.window))
+        self._panel = Panel(
+            self._word("help.title"),
+            help_rows(self.place.kind, self.place.settings, self._language, system_name),
+            dpi,
+        )
+        self._wait("loading")
+        with self.inspection.building():
+            self.place.open(self._assets, self._seed, plan.only)
+            self._builder.opened(self.place.scene)
+        self.walker = start(plan.pose, self.place.scene, plan.settings)
+        self._say(hint(self.place.kind, self._language, system_name))
+        self._last = glfw.get_time()
+        self._rate = FrameRate(self._named(self.place.kind.title))
+
+    def _wait(self, text: str, **values: str) -> None:
+        """Say that what follows takes a moment, over the last picture if there is one."""
+        assert self._panel is not None and self._context is not None
+        if 0 in (size := self._context.pixels()):
+            return
+        if not self.place.is_open:
+            gl.glClearColor(*EMPTY, 1.0)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        elif size == self._size:
+            self.draw()
+        self._panel.draw(size, message=self._word(text, **values))
+        self._context.show()
+        glfw.poll_events()
+
+    def _word(self, key: str, **values: str) -> str:
+        return words.text(self._language, key, **values)
+
+    def _say(self, message: str) -> None:
+        """Show a message for SHOWN seconds of the walk."""
+        self._message, self._until = message, self.seconds + self._stood + SHOWN
+
+    def resting(self) -> bool:
+        """Return whether the window is minimised or has no area; if so, wait a little."""
+        glfw.poll_events()
+        shut = 0 in glfw.get_framebuffer_size(self.window)
+        iconified = glfw.get_window_attrib(self.window, glfw.ICONIFIED)
+        if glfw.window_should_close(self.window) or not (shut or iconified):
+            return False
+        # glfw.wait_events returns at once on the null platform.
+        time.sleep(REST)
+        self._last = glfw.get_time()
+        return True
+
+    def listen(self) -> Tick | None:
+        """Return the next frame's input, or None if the user leaves."""
+        glfw.poll_events()
+        orders, self.hands.orders = self.hands.orders, []
+        self.hands.enter(self.place.kind.blocks, self.place.kind.letters)
+        for order in orders:
+            self.obey(order)
+        if glfw.window_should_close(self.window):
+            return None
+        now = glfw.get_time()
+        seconds, self._last = now - self._last, now
+        intent, switches = self.hands.take()
+        switches = self._builder.switches(self.place.scene, switches)
+        assert self._context is not None
+        if self.hands.captured and not self.place.settings.walk.mouse_relative:
+            look = aimed(self.walker, *self._context.cursor(), self.place.settings.walk.mouse)
+            intent = replace(intent, look=look)
+        if self._inspect(self._context.scale()):
+            self._stood += seconds
+            seconds, intent = 0.0, Intent()
+        size = self._context.pixels()
+        seconds = min(max(seconds, 0.0), MAX_SECONDS)
+        picks, self.hands.picks = self.hands.picks, []
+        kind = self.place.kind
+        settings = self.place.settings
+        chooser = self.place.chooser
+        changes = chooser.follow(picks, settings)
+        switches, toggled, said = pressed(kind, settings, switches, self._language)
+        note = self._note or said
+        self._note = ""
+        changes = changes | toggled
+        drag = self.hands.carried()
+        if kind.carried is not None and any(drag):
+            changes = {**changes, **kind.carried(declare.with_settings(settings, changes), *drag)}
+        return Tick(seconds, intent, switches, size, note, chooser.row, changes)
+
+    def follow(self, tick: Tick) -> Tick | None:
+        """Prepare the window for a recorded frame; return None if the user leaves."""
+        live = self.listen()
+        if live is None:
+            return None
+        tick = self.resizer.follow(self.window, tick, live.size)
+        if not self.headless:
+            # A replay is no faster than the walk was.
+            time.sleep(max(tick.seconds - live.seconds, 0.0))
+            self._last = glfw.get_time()
+        return tick
+
+    def obey(self, order: str) -> None:
+        """Carry out an order to the window; recordings do not contain orders."""
+        if order == "quit":
+            glfw.set_window_should_close(self.window, True)
+        elif order == "screenshot":
+            self._shoot = True
+        elif order == "fullscreen":
+            done = self._full_screen.toggle(self.window)
+            self._note = self._note if done else self._word("no_monitor")
+            self.hands.capture(self.hands.captured)
+        elif order == "inspector":
+            letter = labels(BY_ACTION["inspector"], self._language, system_name)
+            self.hands.inspecting = self.inspection.toggle(self._language, letter)
+            if self.hands.captured:
+                self.obey("release")
+        elif order == "save":
+            self._note = self._builder.save() or self._note
+        else:
+            captured = not self.hands.captured if order == "mouse" else order == "capture"
+            # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
+            hide_cursor(self.window, captured and self.place.settings.walk.mouse_relative)
+            self.hands.capture(captured)
+
+    def _inspect(self, scale: float) -> bool:
+        """Give the inspector its keys and the mouse; return whether it stops the walk."""
+        asked = self.hands.requests.take()
+        if self.inspection.listen(asked, scale):
+            self.obey("inspector")
+        if self.inspection.stale and self.place.is_open:
+            # What was left behind is opened with the edits when it is entered again.
+            self._places.release()
+            with self.inspection.building(anew=True):
+                self._rebuild()
+        return self.inspection.holds
+
+    def advance(self, tick: Tick) -> None:
+        """Advance the clock, the switches and the walker by one frame."""
+        self.seconds += tick.seconds
+        self.kt += tick.seconds * self.place.settings.clock.kt_per_second
+        for name in tick.actions:
+            self._switch(name)
+        if tick.row != self._row or tick.changes:
+            self._change(tick)
+        if tick.note:
+            self._say(tick.note)
+        before = self.walker
+        scene, settings = self.place.scene, self.place.settings
+        self.walker = advance(before, tick.intent, tick.seconds, scene, scene.obstacles, settings)
+        if said := self._builder.advance(self.place.scene, self.walker, tick):
+            self._say(said)
+        if self.walker.flying != before.flying:
+            self._tell("fly", self.walker.flying)
+        elif self.walker.swimming != before.swimming:
+            self._tell("swim", self.walker.swimming)
+
+        if self.walker.at_edge and not before.at_edge:
+            self._say(self._word("edge"))
+        self._size = tick.size
+        self._try_doors(tick.intent)
+
+    def _try_doors(self, intent: Intent) -> None:
+        """Say where a door leads that the walker has come up to, or go through it."""
+        entered, faced = at_doors(self.place.doors, self.walker, intent)
+        if entered is not None:
+            self._pass(entered)
+        elif (faced.name if faced else "") != self._door:
+            self._door = faced.name if faced else ""
+            if faced is not None:
+                self._say(self._named(faced.says) if faced.open else self._word("shut"))
+
+    def _pass(self, door: Door) -> None:
+        """Go through a door. The scene that is left stays open, to come back to at once."""
+        left, place = self.place, self._places.behind(door)
+        self._wait("opening", place=self._named(place.kind.title))
+        try:
+            with self.inspection.building():
+                self._places.enter(place, self._assets, self._seed)
+        except (InputError, NoOpenGLError) as error:
+            self.walker = start(door.way_out, left.scene, left.settings)
+            self._say(str(error))
+            return
+        self._places.leave(left)
+        self.place, self._door = place, door.to
+        self.walker = start(place.way_in(door), place.scene, place.settings)
+        self._rate = FrameRate(self._named(place.kind.title))
+        self._say(self._named(place.kind.title))
+        self.draw()  # the first frame takes longest: it is drawn once more to be shown
+        self._last = glfw.get_time()
+
+    def _named(self, text: str) -> str:
+        """Return what a scene calls something, in the user's language."""
+        return translator(self._language, "scenes")(text)
+
+    def _switch(self, name: str) -> None:
+        """Carry out a switch."""
+        if name == "help":
+            self._help, self._until = not self._help, 0.0  # the hint has been taken
+        elif name == "wireframe":
+            self._wireframe = not self._wireframe
+            self._tell(name, self._wireframe)
+        elif name in SWITCHES:
+            self._builder.switch(self.place.scene, name)
+        elif name in ("fix", "next_fix", "previous_fix", "go_to_fix"):
+            if self.place.kind.fixes:
+                self._switch_fix(name)
+        elif SETTINGS[name] in declare.fields(type(self.place.settings)):
+            value = declare.next_value(self.place.settings, SETTINGS[name])
+            self._apply({SETTINGS[name]: value})
+            self._tell(name, value)
+
+    def _apply(self, changes: Mapping[str, Any]) -> None:
+        """Change settings; open the scene again if it cannot take them as it is."""
+        with self.inspection.building():
+            self.place.apply(changes, self._rebuild)
+
+    def _rebuild(self) -> None:
+        """Open the scene again."""
+        self._wait("rebuilding")
+        self.place.open(self._assets, self._seed)
+
+    def _change(self, tick: Tick) -> None:
+        """Show the list with its chosen row, and make the changes that were asked for there."""
+        if tick.row != self._row:
+            self._row, self._done = tick.row, ""
+        if not tick.changes:
+            return
+        before = self.place.scene
+        try:
+            self._apply(tick.changes)
+        except InputError as error:
+            # The scene could not be opened with the new value: the former one is still there.
+            self._say(str(error))
+            return
+        self._places.give(tick.changes)
+        self._done = self._word("list.taken" if self.place.scene is before else "list.rebuilt")
+
+    def _at_left(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
+        """Return what the inspector's or the list's picture depends on, and how to make it."""
+        assert self._panel is not None
+        if self.inspection.open or not self._row:
+            return self.inspection.image(self._panel.dpi)
+        shown = self._row, self._done, self._language
+        return list_picture(self.place, *shown, self._size, self._panel.dpi)
+
+    def _switch_fix(self, name: str) -> None:
+        """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""
+        way = {"next_fix": 1, "previous_fix": -1}.get(name, 0)
+        fix = self.place.choose_fix(way)
+        if name == "go_to_fix":
+            self.walker = start(fix.pose(False), self.place.scene, self.place.settings)
+        on = declare.with_settings(self.place.settings, fix.on) == self.place.settings
+        if name == "fix":
+            self._apply(fix.off if on else fix.on)
+            on = not on
+        self._say(words.fix_state(self._language, fix.name, fix.title, on))
+
+    def _tell(self, name: str, value: declare.Value) -> None:
+        self._say(words.state(self._language, name, value))
+
+    @property
+    def moment(self) -> Moment:
+        """What the next frame shows, with all its detail."""
+        steps = self.walker.step, self.walker.stroke
+        return Moment(self.walker.pose, self._size, self.kt, *steps, self._wireframe, walking=True)
+
+    def draw(self) -> None:
+        """Draw the frame and the panel into the window's back buffer."""
+        assert self._panel is not None and self._context is not None
+
+        # Making the context current gives OSMesa a buffer of the window's new size.
+        self._context.make_current()
+        moment = self.moment
+        scene, shows = self.place.scene, self.place.shows(moment)
+
+        # A screenshot has all the detail, and so has what the inspector looks into.
+        whole = self._shoot or self.inspection.open
+        draw = partial(self.steady.draw, moment, scene.draw, whole, shows)
+        self.inspection.draw(draw, (moment, *shows), self._size)
+        if self._help:
+            # The user may have changed the keyboard's layout.
+            self._panel.set_rows(
+                help_rows(self.place.kind, self.place.settings, self._language, system_name)
+            )
+
+        left = max(self._until - self.seconds - self._stood, 0.0)
+        message, opacity = self._message if left else "", min(left / FADE, 1.0)
+        cross, bar = self.inspection.cross(), self._builder.bar(scene, self._size)
+        self._panel.draw(self._size, self._help, message, opacity, self._at_left(), cross, bar)
+
+    def pixels(self) -> np.ndarray:
+        """Return the frame drawn but not yet presented, uint8 (h, w, 3), top row first."""
+        return read_pixels(self._size)
+
+    def present(self) -> None:
+        """Save the frame if asked to, then show it; update the frame rate in the title."""
+        if self._shoot:
+            self._shoot = False
+            name = save_screenshot(self.pixels())
+            self._note = self._word("saved", name=name) if name else self._word("not_saved")
+        self.steady.show(self.window)
+        self._rate.count(self.window)
+
+    def close(self) -> None:
+        """Save the world, or raise InputError; release all, in order; may be called twice."""
+        try:
+            self._builder.leave()
+        finally:
+            for owner in (self._panel, self.steady, self._places, self.place, self._context):
+                if owner is not None:
+                    owner.release()
+            self._panel = self._context = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

@@ -1,0 +1,138 @@
+"""Digging and building in a walk: how often a held button acts, the bar, the file of the world."""
+
+from collections.abc import Callable, Hashable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from framelens.base.errors import InputError
+from framelens.base.output import check_writable, write_whole
+from framelens.base.texts import translator
+from landscape.geometry.digging import Diggable, read_world
+from landscape.walk import words
+from landscape.walk.recording import Tick
+from landscape.walk.walker import Intent, Walker
+
+# Chosen: seconds from a press to its first repetition, and between two repetitions.
+FIRST, AGAIN = 0.35, 0.2
+AUTOSAVE = 30.0  # chosen: seconds after a change until it is saved
+SLOTS = tuple(f"slot_{n}" for n in range(1, 10))
+SWITCHES = (*SLOTS, "next_slot", "previous_slot")
+
+
+class WorldFile:
+    """The file that keeps what a walker changes; it is written whole or not at all."""
+
+    def __init__(self, path: Path, keep: bool = True) -> None:
+        """Read the file if there is one; InputError. Only with ``keep`` is it written later."""
+        self._path, self._keep = path, keep
+        self._scene: Diggable | None = None
+        self._data: bytes | None = None
+        if keep:
+            check_writable(path, "world ")
+        if path.exists() or not keep:
+            self._data = read_world(path)
+
+    def opened(self, scene: Any) -> None:
+        """Change a scene that has been opened as the file says; InputError."""
+        if not isinstance(scene, Diggable):
+            raise InputError(f"world {self._path}: expected a scene of blocks, such as voxel")
+        if self._data is not None:
+            scene.restore(self._data, f"world {self._path}")
+        self._data = scene.saved()
+
+    def save(self, scene: Diggable) -> bool:
+        """Write the file if there is anything new; InputError if that is impossible."""
+        data = scene.saved() if self._keep else self._data
+        if data is None or data == self._data:
+            return False
+        write_whole(self._path, data)
+        self._data = data
+        return True
+
+
+class Builder:
+    """What a walker does with blocks, in scenes that have any."""
+
+    def __init__(self, file: WorldFile | None, language: str) -> None:
+        """``file`` is where changes are kept, if anywhere."""
+        self._file, self._language = file, language
+        self._waits = {"dig": 0.0, "place": 0.0}
+        self._scene: Diggable | None = None
+        self._changes, self._unsaved = 0, 0.0
+
+    def opened(self, scene: Any) -> None:
+        """Take note of the scene in which the walk begins; InputError if the file does not fit."""
+        if self._file is not None:
+            self._file.opened(scene)
+            self._scene = scene
+
+    def switches(self, scene: Any, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Return switches as a scene understands them: in one of blocks, digits choose a slot."""
+        if not isinstance(scene, Diggable):
+            return tuple(name for name in names if name not in SWITCHES)
+        return tuple(f"slot_{name}" if name.isdigit() else name for name in names)
+
+    def switch(self, scene: Any, name: str) -> None:
+        """Choose a slot."""
+        if isinstance(scene, Diggable):
+            steps = {"next_slot": scene.slot + 1, "previous_slot": scene.slot - 1}
+            scene.choose(SLOTS.index(name) if name in SLOTS else steps[name])
+
+    def advance(self, scene: Any, walker: Walker, tick: Tick) -> str:
+        """Dig, place and pick what is asked for in a frame, and save; return what to say, or ""."""
+        said = ""
+        if isinstance(scene, Diggable):
+            for tool in self._due(tick.intent, tick.seconds):
+                refused = scene.use(tool, walker.pose, walker.body)
+                said = translator(self._language, "scenes")(refused) if refused else said
+        return self._saved(scene, tick.seconds) or said
+
+    def _due(self, intent: Intent, seconds: float) -> list[str]:
+        """Return the tools to use now: those clicked, and those held long enough."""
+        due = ["pick"] if intent.pick else []
+        for tool, clicked, held in (
+            ("dig", intent.dig, intent.digging),
+            ("place", intent.place, intent.placing),
+        ):
+            self._waits[tool] -= seconds
+            if clicked or (held and self._waits[tool] <= 0.0):
+                self._waits[tool] = FIRST if clicked else AGAIN
+                due.append(tool)
+        return due
+
+    def _saved(self, scene: Any, seconds: float) -> str:
+        """Save some time after a change; return what to say of it, or ""."""
+        if self._file is None or not isinstance(scene, Diggable):
+            return ""
+        self._scene = scene
+        if scene.changes != self._changes:
+            self._changes, self._unsaved = scene.changes, self._unsaved or 1e-9
+        if self._unsaved:
+            self._unsaved += seconds
+        return self.save() if self._unsaved > AUTOSAVE else ""
+
+    def save(self) -> str:
+        """Save the world; return what to say of it, or ""."""
+        self._unsaved = 0.0
+        try:
+            done = self._file and self._scene and self._file.save(self._scene)
+        except InputError as error:
+            return str(error)
+        return words.text(self._language, "world.saved") if done else ""
+
+    def leave(self) -> None:
+        """Save the world at the end of the walk; InputError if that is impossible."""
+        scene, self._scene = self._scene, None
+        if self._file is not None and scene is not None:
+            self._file.save(scene)
+
+    def bar(
+        self, scene: Any, size: tuple[int, int]
+    ) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
+        """Return the picture of the bar for a window: what it depends on, and how to make it."""
+        if not isinstance(scene, Diggable) or "crosshair" not in getattr(scene, "shown", ()):
+            return None
+        shows, make = scene.bar(size[1], self._language)
+        return (shows, size), make

@@ -1,0 +1,250 @@
+"""The list of settings in the walk: what it shows, and how its keys change a value. No OpenGL.
+
+A row is a value that can be stepped: a bool, a choice, a number, or one component of a tuple. The
+names of files are left out. What a key does becomes a changed setting before a frame is recorded,
+so a replay does not depend on how large a step is.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from framelens.base.texts import Phrases, reworded, translator
+from framelens.inspector.inspector_values import step_of
+from landscape.settings import declare
+from landscape.settings.declare import Field, Value
+from landscape.settings.notices import WALK, ignored
+from landscape.walk import words
+
+DIGITS = 6  # significant digits shown
+
+# How landscape.settings.notices says that a setting has no effect.
+IGNORED: Phrases = (
+    "ignored while",
+    "are not shown",
+    "is not shown",
+    "is shown",
+    "is on",
+    "is off",
+    "is",
+    "and",
+)
+
+
+@dataclass(frozen=True)
+class Row:
+    """A value of the list: a setting, or component ``part`` of one that is a tuple."""
+
+    key: str
+    item: Field
+    part: int = -1
+
+    @property
+    def name(self) -> str:
+        """The row's name in recordings: ``fog.density``, or ``fog.color.0``."""
+        return self.key if self.part < 0 else f"{self.key}.{self.part}"
+
+    @property
+    def group(self) -> str:
+        """The group's name."""
+        return self.key.split(".")[0]
+
+    @property
+    def label(self) -> str:
+        """The name within the group, as ``color R``."""
+        label = self.key.split(".")[-1]
+        if self.part < 0:
+            return label
+        colour = self.item.metadata["unit"].startswith("RGB")
+        return f"{label} {'RGBA'[self.part] if colour else self.part + 1}"
+
+    def value(self, settings: Any) -> Any:
+        """Return the row's value in settings."""
+        value: Any = declare.get(settings, self.key)
+        return value if self.part < 0 else value[self.part]
+
+    def changed(self, settings: Any, value: Any) -> Value:
+        """Return the value of the whole setting with the row's value replaced."""
+        if self.part < 0:
+            return value  # type: ignore[no-any-return]
+        whole = declare.get(settings, self.key)
+        assert isinstance(whole, tuple)
+        return *whole[: self.part], value, *whole[self.part + 1 :]
+
+
+def rows(kind: type) -> tuple[Row, ...]:
+    """Return the rows of a settings class, in the order of its declaration."""
+    found = []
+    for key, item in declare.fields(kind).items():
+        if isinstance(item.default, tuple):
+            found += [Row(key, item, part) for part in range(len(item.default))]
+        elif not isinstance(item.default, str) or item.metadata["choices"]:
+            found.append(Row(key, item))
+    return tuple(found)
+
+
+def stepped(row: Row, value: Any, way: int, usual: float) -> Any:
+    """Return the value one step up (``way`` 1) or down (-1), within the setting's limits.
+
+    Bools change over, choices go round, and numbers go to the next multiple of a step that is a
+    fraction of the number, or of ``usual`` where that is larger: zero can be reached and left.
+    """
+    meta = row.item.metadata
+    if isinstance(value, bool):
+        return not value
+    if meta["choices"]:
+        choices = meta["choices"]
+        return choices[(choices.index(value) + way) % len(choices)]
+    step = step_of(max(abs(value), abs(usual)) or min(1.0, meta["high"]))
+    if isinstance(value, int):
+        step = max(1, round(step))
+    at = value / step
+    at = math.floor(at + 1e-6) + 1 if way > 0 else math.ceil(at - 1e-6) - 1
+
+    # Ten digits hide the error of multiplying by a step such as 0.002.
+    number = float(f"{at * step:.10g}")
+    return type(value)(min(max(number, meta["low"]), meta["high"]))
+
+
+def written(value: Any, language: str) -> str:
+    """Return a value as the list shows it."""
+    if isinstance(value, bool):
+        return words.text(language, "list.on" if value else "list.off")
+    if isinstance(value, int):
+        return f"{value:,}".replace(",", "\u00a0")
+    return f"{value:.{DIGITS}g}" if isinstance(value, float) else str(value)
+
+
+class Chooser:
+    """Which row is chosen, and whether the list is open; follows the keys that were pressed."""
+
+    def __init__(self, defaults: Any) -> None:
+        """``defaults`` are the settings of the preset."""
+        self.defaults = defaults
+        self.rows = rows(type(defaults))
+        self.index = 0
+        self.open = False
+
+    @property
+    def row(self) -> str:
+        """The name of the row chosen, "" while the list is closed."""
+        return self.rows[self.index].name if self.open else ""
+
+    def follow(self, picks: Sequence[str], settings: Any) -> dict[str, Value]:
+        """Carry out what keys asked for; return the settings to change, by dotted key."""
+        changes: dict[str, Value] = {}
+        for pick in picks:
+            if pick == "list":
+                self.open = not self.open
+            elif self.open:
+                self._pick(pick, settings, changes)
+        return {key: value for key, value in changes.items() if value != declare.get(settings, key)}
+
+    def _pick(self, pick: str, settings: Any, changes: dict[str, Value]) -> None:
+        if pick in ("up", "down"):
+            self.index = (self.index + (1 if pick == "down" else -1)) % len(self.rows)
+        elif pick in ("first", "last"):
+            self.index = 0 if pick == "first" else len(self.rows) - 1
+        elif pick in ("previous_group", "next_group"):
+            self._to_group(1 if pick == "next_group" else -1)
+        else:
+            row = self.rows[self.index]
+            current = declare.with_settings(settings, changes)
+            value, usual = row.value(current), row.value(self.defaults)
+            if pick == "default":
+                value = usual
+            elif pick in ("more", "less"):
+                number = 0.0 if isinstance(usual, bool | str) else usual
+                value = stepped(row, value, 1 if pick == "more" else -1, number)
+            elif isinstance(value, bool):
+                value = not value
+            changes[row.key] = row.changed(current, value)
+
+    def _to_group(self, way: int) -> None:
+        """Choose the first row of the next or the previous group."""
+        starts = [k for k, row in enumerate(self.rows) if k == 0 or row.group != self._before(k)]
+        here = max(k for k, start in enumerate(starts) if start <= self.index)
+        self.index = starts[(here + way) % len(starts)]
+
+    def _before(self, index: int) -> str:
+        return self.rows[index - 1].group
+
+
+@dataclass(frozen=True)
+class Line:
+    """One line of the list: a group's heading, or a row; an ``idle`` one has no effect."""
+
+    name: str
+    value: str = ""
+    default: str = ""
+    chosen: bool = False
+    idle: bool = False
+
+
+@dataclass(frozen=True)
+class Page:
+    """All that the list shows: a title, lines, and texts below them, each wrapped to its width."""
+
+    title: str
+    lines: tuple[Line, ...]
+    below: tuple[str, ...]
+
+
+def page(
+    settings: Any,
+    defaults: Any,
+    chosen: str,
+    note: str,
+    language: str,
+    shown: frozenset[str],
+    elements: tuple[str, ...],
+) -> Page:
+    """Return the list with the row ``chosen``; ``note`` says what the last change did.
+
+    ``shown`` are the names, of the scene's ``elements``, that are drawn: a row is marked where it
+    has no effect now.
+    """
+    lines: list[Line] = []
+    below = ""
+    group = ""
+    for row in rows(type(settings)):
+        if row.group != group:
+            group = row.group
+            lines.append(Line(heading(group, language)))
+        value, default = row.value(settings), row.value(defaults)
+        usual = written(default, language)
+        idle = ignored(settings, row.key, {*shown, WALK}, elements)
+        here, differs = row.name == chosen, usual if value != default else ""
+        lines.append(Line(row.label, written(value, language), differs, here, bool(idle)))
+        if here:
+            limits = words.text(language, "list.range", range=_limits(row, language), default=usual)
+            below = f"{row.key}\n{described(row, language)}\n{limits}"
+            note = note or reworded(idle, IGNORED, translator(language, "window"))
+
+    text = words.text
+    texts = (*below.split("\n"), note, text(language, "list.choose"), text(language, "list.change"))
+    return Page(text(language, "list.title"), tuple(lines), texts)
+
+
+def heading(group: str, language: str) -> str:
+    """Return a group's heading: its name, after a word for it in another language."""
+    word = translator(language, "settings")(group)
+    return group if word == group else f"{word} ({group})"
+
+
+def described(row: Row, language: str) -> str:
+    """Return what a setting is, in its language where a text is known, else in English."""
+    return translator(language, "settings")(row.item.metadata["does"], row.key)
+
+
+def _limits(row: Row, language: str) -> str:
+    meta = row.item.metadata
+    if isinstance(row.item.default, bool):
+        return f"{written(True, language)}, {written(False, language)}"
+    if meta["choices"]:
+        return ", ".join(meta["choices"])
+    kind = int if isinstance(row.item.default, int) else float
+    low, high = (written(kind(meta[end]), language) for end in ("low", "high"))
+    unit = translator(language, "settings")(meta["unit"])
+    return words.text(language, "list.from_to", low=low, high=high, unit=unit).strip()
