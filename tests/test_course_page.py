@@ -5,12 +5,13 @@ import re
 import pytest
 from register import ROOT
 
-from landscape.course import ladder, lecture
+from landscape.course import ladder
+from landscape.course.lecture import plan as lecture
 from landscape.course.exercise import NAMES as EXERCISES
 from landscape.course.pages import blocks, cells
 
 PAGE = ROOT / "docs" / "course.md"
-PROGRAMS = ROOT / "landscape" / "lessons" / "programs"
+PROGRAMS = ROOT / "landscape" / "course" / "lessons" / "programs"
 FIRST_COURSE = lecture.COURSE.parent / "first_course.txt"
 COUNTS = {"1": 8, "2": 7, "3": 26, "4": 11, "5": 8, "A": 16}  # headings of each chapter
 _CODE = re.compile(r"`([^`]+)`")
