@@ -6,8 +6,8 @@ import pytest
 from register import ROOT
 
 from landscape.course import ladder
-from landscape.course.lecture import plan as lecture
 from landscape.course.exercise import NAMES as EXERCISES
+from landscape.course.lecture import plan as lecture
 from landscape.course.pages import blocks, cells
 
 PAGE = ROOT / "docs" / "course.md"

@@ -1,4 +1,4 @@
-"""EGL with no window system: Mesa's surfaceless platform, a software device, the default display.
+"""EGL with no window system: Mesa's surfaceless platform, the default display, or a device.
 
 Mesa's surfaceless platform draws by the graphics card where there is one. ``software`` asks for a
 device that says of itself that it is software; where none can be asked for, LIBGL_ALWAYS_SOFTWARE
@@ -7,8 +7,8 @@ has Mesa take its own. The two are never combined with a device that is hardware
 
 import ctypes
 import os
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -79,17 +79,25 @@ def _extensions() -> SimpleNamespace:
     return SimpleNamespace(**known)
 
 
-def software_device() -> Any:
-    """Return the handle of a device that is software, or None."""
+def devices() -> list[tuple[Any, bool]]:
+    """Return the handle of each device, and whether it is software; none if EGL cannot say."""
     egl = _extensions()
     if not (egl.eglQueryDevicesEXT and egl.eglQueryDeviceStringEXT):
-        return None
-    devices, count = (ctypes.c_void_p * MOST)(), ctypes.c_int32()
-    egl.eglQueryDevicesEXT(MOST, devices, ctypes.byref(count))
-    for device in devices[: count.value]:
-        if b"EGL_MESA_device_software" in (egl.eglQueryDeviceStringEXT(device, EXTENSIONS) or b""):
-            return device
-    return None
+        return []
+    handles, count = (ctypes.c_void_p * MOST)(), ctypes.c_int32()
+    egl.eglQueryDevicesEXT(MOST, handles, ctypes.byref(count))
+
+    def is_software(handle: Any) -> bool:
+        return b"EGL_MESA_device_software" in (
+            egl.eglQueryDeviceStringEXT(handle, EXTENSIONS) or b""
+        )
+
+    return [(handle, is_software(handle)) for handle in handles[: count.value]]
+
+
+def software_device() -> Any:
+    """Return the handle of a device that is software, or None."""
+    return next((handle for handle, is_software in devices() if is_software), None)
 
 
 class EGLContext:
@@ -124,7 +132,16 @@ class EGLContext:
         return False
 
     def _displays(self) -> tuple[Callable[[], Any], ...]:
-        return self._surfaceless, lambda: self._egl.eglGetDisplay(None)
+        return self._surfaceless, lambda: self._egl.eglGetDisplay(None), *self._hardware_devices()
+
+    def _hardware_devices(self) -> Iterator[Callable[[], Any]]:
+        """Yield what opens the display of each graphics card.
+
+        A vendor's driver without a window system may have no display but these.
+        """
+        for handle, is_software in devices():
+            if not is_software:
+                yield partial(self._platform_display, DEVICE, handle)
 
     def _software_displays(self) -> tuple[Callable[[], Any], ...]:
         return self._software_device, self._surfaceless_software
