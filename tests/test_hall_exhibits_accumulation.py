@@ -13,6 +13,7 @@ from landscape.geometry.planar import shadows_of
 from landscape.hall import plan
 from landscape.hall.exhibits import accumulation
 from landscape.hall.exhibits.accumulation import Accumulation, disc, shifts
+from landscape.hall.exhibits.cabinet import Cabinet
 from landscape.hall.exhibits.depth_of_field import lens
 from landscape.hall.exhibits.niche import SOFT, lamp
 from landscape.hall.exhibits.picture import part
@@ -39,11 +40,11 @@ def picture(
     view.look(Pose(*place), kt)
     values = view.scene.settings
     exhibits = type(values.exhibits)(**changed)
-    assert view.scene.exhibits.apply(type(values)(exhibits=exhibits))
+    view.scene.elements[Cabinet].take(type(values)(exhibits=exhibits))
     try:
         return view.draw().astype(np.int16)
     finally:
-        view.scene.exhibits.apply(values)
+        view.scene.elements[Cabinet].take(values)
 
 
 def colours(count: int) -> np.ndarray:
@@ -190,7 +191,7 @@ def shade(view: Offscreen, **settings: Any) -> np.ndarray:
     """Return what the textures darken, 0..1, of the back wall."""
     picture(view, RINGS, **settings)
     with view.targeted():
-        view.scene.exhibits._exhibits[SOFT][1].textures[1].bind()
+        view.scene.elements[Cabinet]._exhibits[SOFT][1].textures[1].bind()
         read = gl.glGetTexImage(gl.GL_TEXTURE_2D, 0, gl.GL_RED, gl.GL_UNSIGNED_BYTE)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
     return np.frombuffer(bytes(read), np.uint8) / 255

@@ -13,6 +13,7 @@ from framelens.gl.state import front_faces
 from landscape.frame import Pose
 from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
+from landscape.hall.exhibits.cabinet import Cabinet
 from landscape.hall.exhibits.hidden_lines import INK, PAPER, draw_lines
 from landscape.hall.exhibits.niche import MIDDLE, SOLIDS, plates
 from landscape.hall.exhibits.solids import BEAM, HEIGHT, RADIUS, TILT, TURN, beam, sphere
@@ -33,11 +34,11 @@ def picture(view: Offscreen, pose: Pose, kt: float = KT, **changed: Any) -> np.n
     """Return a picture with other settings of the exhibits."""
     view.look(pose, kt)
     values = view.scene.settings
-    view.scene.exhibits.apply(type(values)(exhibits=type(values.exhibits)(**changed)))
+    view.scene.elements[Cabinet].take(type(values)(exhibits=type(values.exhibits)(**changed)))
     try:
         return view.draw().astype(np.int16)
     finally:
-        view.scene.exhibits.apply(values)
+        view.scene.elements[Cabinet].take(values)
 
 
 def rays(pose: Pose) -> np.ndarray:
@@ -269,7 +270,7 @@ def test_an_exhibit_leaves_state_as_found(view: Offscreen, number: int) -> None:
     pose = Pose(1.15, 0.15, plan.ALCOVES[number], 270.0, -5.0)
     view.look(pose, KT)
     drawn: list[dict[str, Any]] = []
-    cabinet = view.scene.exhibits
+    cabinet = view.scene.elements[Cabinet]
     draw = cabinet.draw
 
     def checked(frame: Any) -> None:

@@ -11,6 +11,7 @@ from landscape.frame import Pose
 from landscape.geometry.mesh import is_closed
 from landscape.geometry.silhouette import boundary, faces_light, shadow_volume
 from landscape.hall import plan
+from landscape.hall.exhibits.cabinet import Cabinet
 from landscape.hall.exhibits.niche import INSET, VOLUME, pedestal_boxes
 from landscape.hall.exhibits.shadow_volume import TURN, ShadowVolume, torch, trefoil
 from landscape.offscreen import Offscreen
@@ -42,9 +43,9 @@ def stencil(
     view.look(pose, KT)
     values = view.scene.settings
     changed = type(values)(exhibits=type(values.exhibits)(**settings))
-    view.scene.exhibits.apply(changed)
+    view.scene.elements[Cabinet].take(changed)
     view.draw()
-    view.scene.exhibits.apply(values)
+    view.scene.elements[Cabinet].take(values)
     return found[0]
 
 

@@ -42,7 +42,7 @@ def measure_tone(
 
             def draw(method: str, case: Mapping[str, Any] = case) -> None:
                 changes = {f"tone.{name}": value for name, value in case.items()}
-                tone.apply(declare.with_settings(values, {**changes, "tone.method": method}))
+                tone.take(declare.with_settings(values, {**changes, "tone.method": method}))
                 with tone.marking():
                     statue.send()
                 tone.draw(frame)

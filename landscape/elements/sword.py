@@ -7,11 +7,13 @@ State used: GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 
 import math
 from pathlib import Path
+from typing import Protocol, TypeVar
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, matrix
 from framelens.gl.texture import Texture
-from landscape.elements.settings import Settings
+from landscape.elements.element import Element
+from landscape.elements.settings import Sun
 from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
@@ -34,18 +36,29 @@ def pictures(assets: Assets) -> list[Path]:
     return [assets.path(name) for name in names]
 
 
-class Sword:
+class Lit(Protocol):
+    """The settings of any scene with a sun."""
+
+    @property
+    def sun(self) -> Sun:
+        """The sun and the sky's light."""
+
+
+Values = TypeVar("Values", bound=Lit)
+
+
+class Sword(Element[Values]):
     """The sword at rest and its stroke."""
 
-    def __init__(self, settings: Settings, assets: Assets) -> None:
+    def __init__(self, settings: Values, assets: Assets) -> None:
         """Load the five pictures and compile the quad."""
-        self._settings = settings
+        self.settings = settings
         self._textures = [Texture(read_image(path), repeat=False) for path in pictures(assets)]
         self._list = DisplayList(picture_quad)
 
-    def apply(self, settings: Settings) -> bool:
+    def apply(self, settings: Values) -> bool:
         """Apply new settings: the sun's colour is read at each draw."""
-        self._settings = settings
+        self.settings = settings
         return True
 
     def draw(self, frame: Frame) -> None:
@@ -53,7 +66,7 @@ class Sword:
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with matrix(), attrib(groups):
             self._place(frame)
-            gl.glColor3f(*painted(self._settings.sun, self._facing(frame)))
+            gl.glColor3f(*painted(self.settings.sun, self._facing(frame)))
             gl.glEnable(gl.GL_TEXTURE_2D)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
@@ -75,7 +88,7 @@ class Sword:
 
     def _facing(self, frame: Frame) -> float:
         """Return how far the visible side of the sword faces the sun, as a cosine."""
-        return float(direction(self._settings.sun) @ frame.back)
+        return float(direction(self.settings.sun) @ frame.back)
 
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""

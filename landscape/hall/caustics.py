@@ -24,14 +24,16 @@ State used: up to four texture units with GL_COMBINE (OpenGL 1.3), generated tex
 GL_BLEND, depth test, polygon offset.
 """
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from contextlib import contextmanager
+from typing import Self
 
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, front_faces, matrix
 from landscape.elements.caustic_film import MixedFilm, shipped, sines
+from landscape.elements.element import Element, Site
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -80,17 +82,22 @@ def generate(both: np.ndarray, how: str) -> None:
     gl.glEnable(gl.GL_TEXTURE_GEN_T)
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the values that the constructor uses."""
-    return settings.caustics.pattern, settings.sun
-
-
-class Caustics:
+class Caustics(Element[Settings]):
     """The net of light on the pool's basin, and on the stone around it."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.caustics.pattern, settings.sun
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it on the stone of the room."""
+        return cls(site.settings, site.assets, site.elements[Room])
 
     def __init__(self, settings: Settings, assets: Assets, room: Room) -> None:
         """Upload the film and compile what the pool's light reaches; ``room`` draws the stone."""
-        self._settings, self._room = settings, room
+        self.settings, self._room = settings, room
         self._possible = possible("caustics")
         frames = sines(FRAMES) if settings.caustics.pattern == "sines" else shipped(assets)
         self._film = MixedFilm(frames)
@@ -106,17 +113,10 @@ class Caustics:
             compiled = DisplayList(lambda mesh=mesh: draw_mesh(mesh))  # type: ignore[misc]
             self._lists[material, int(bay), int(level)] = compiled
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if film or meshes would differ."""
-        if built_from(settings) != built_from(self._settings):
-            return False
-        self._settings = settings
-        return True
-
     @property
     def in_one_pass(self) -> bool:
         """Whether the net is laid over the basin while that is drawn."""
-        values = self._settings.caustics
+        values = self.settings.caustics
         wanted = values.enabled and values.passes == "one"
         return wanted and self._possible and possible("caustics in one pass")
 
@@ -129,7 +129,7 @@ class Caustics:
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
             for unit in (FIRST_FREE + 1, FIRST_FREE):
                 gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
-                self._lay_net(frame, planes(self._settings))
+                self._lay_net(frame, planes(self.settings))
             combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
             combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE"})
             combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
@@ -137,14 +137,14 @@ class Caustics:
             gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{FIRST_FREE + 1}"))
             combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
             combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
-            if self._settings.caustics.doubled:
+            if self.settings.caustics.doubled:
                 gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
             gl.glActiveTexture(gl.GL_TEXTURE0)
             yield
 
     def draw(self, frame: Frame) -> None:
         """Draw the second pass over the basin, and the light on the stone around the pool."""
-        values = self._settings.caustics
+        values = self.settings.caustics
         if not (self._possible and values.enabled):
             return
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
@@ -163,11 +163,11 @@ class Caustics:
     def _second_pass(self, frame: Frame) -> None:
         """Multiply the basin by the net."""
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
-            doubled = self._settings.caustics.doubled
+            doubled = self.settings.caustics.doubled
             gl.glBlendFunc(gl.GL_DST_COLOR if doubled else gl.GL_ZERO, gl.GL_SRC_COLOR)
-            self._lay_net(frame, planes(self._settings))
+            self._lay_net(frame, planes(self.settings))
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
-            if self._settings.caustics.sunlit:
+            if self.settings.caustics.sunlit:
                 gl.glActiveTexture(gl.GL_TEXTURE1)
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._room.bind_light()
@@ -189,14 +189,14 @@ class Caustics:
 
             # Unit 0: the stone times the vertex's light; unit 1: times the net.
             gl.glActiveTexture(gl.GL_TEXTURE1)
-            self._lay_net(frame, planes(self._settings, UPRIGHT) / np.float32(LARGER))
+            self._lay_net(frame, planes(self.settings, UPRIGHT) / np.float32(LARGER))
             combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 4.0)
             gl.glActiveTexture(gl.GL_TEXTURE0)
             gl.glEnable(gl.GL_TEXTURE_2D)
             for bay, level in self._room.levels(frame).items():
                 for material in LIT:
-                    if material == "vault" and not self._settings.room.vault:
+                    if material == "vault" and not self.settings.room.vault:
                         continue
                     own = min(level, levels_of(material)[-1])
                     if compiled := self._lists.get((material, bay, own)):
@@ -205,14 +205,14 @@ class Caustics:
 
     def _lay_net(self, frame: Frame, both: np.ndarray) -> None:
         """Let the active unit sample the net of the moment, laid by planes (2, 4)."""
-        values = self._settings.caustics
+        values = self.settings.caustics
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._film.bind(frame.kt / values.period, values.smooth)
         generate(both, values.planes)
 
     def _set_neutral(self) -> None:
         """Set the active unit's constant to the net that changes nothing."""
-        neutral = 0.5 if self._settings.caustics.doubled else 1.0
+        neutral = 0.5 if self.settings.caustics.doubled else 1.0
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.full(4, neutral, np.float32))
 
     def release(self) -> None:

@@ -14,6 +14,7 @@ from framelens.base.texts import Texts
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, multiply
 from framelens.gl.texture import Texture
+from landscape.elements.element import Element
 from landscape.elements.sky_box import FACES, set_files
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
@@ -81,7 +82,7 @@ def meadow() -> tuple[np.ndarray, np.ndarray]:
     return points, colours
 
 
-class Entrance:
+class Entrance(Element[Settings]):
     """What is seen through the door."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
@@ -149,10 +150,6 @@ class Entrance:
             gl.glTexCoord2f(s, t)
             gl.glVertex3f(x, y, end)
         gl.glEnd()
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing depends on them."""
-        return True
 
     def draw(self, frame: Frame) -> None:
         """Draw what is seen through the door."""

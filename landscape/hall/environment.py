@@ -152,7 +152,7 @@ class Environment:
         ``face`` and ``ball`` are the sides of a face and of the sphere map, in texels.
         "pool.mirrors" must be possible.
         """
-        self._settings = settings
+        self.settings = settings
         self._drawn_for: np.ndarray = np.zeros(0)
         self.cube = cube_around(place, face, draw)
         self._ball = TextureTarget((ball, ball))
@@ -162,13 +162,9 @@ class Environment:
         within = places / np.maximum(np.linalg.norm(places, axis=1, keepdims=True), 1.0)
         self._directions = np.ascontiguousarray(ball_directions(within), np.float32)
 
-    def apply(self, settings: Settings) -> None:
-        """Take other settings; the maps stay."""
-        self._settings = settings
-
     def prepare(self, frame: Frame) -> None:
         """Make the sphere map of a frame's line of sight, if it is wanted and not there yet."""
-        statue = self._settings.statue
+        statue = self.settings.statue
         if statue.environment != "sphere" or frame.mirrored:
             return
         turn = frame.to_world if statue.fresh else NORTHWARDS
@@ -205,12 +201,12 @@ class Environment:
 
         The frame must be prepared.
         """
-        cube = self._settings.statue.environment == "cube" or frame.mirrored
+        cube = self.settings.statue.environment == "cube" or frame.mirrored
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             kind = gl.GL_TEXTURE_CUBE_MAP if cube else gl.GL_TEXTURE_2D
             (self.cube if cube else self._ball).bind()
             gl.glEnable(kind)
-            if self._settings.statue.generated:
+            if self.settings.statue.generated:
                 generate(*("REFLECTION_MAP", "STR") if cube else ("SPHERE_MAP", "ST"))
             combine(
                 {

@@ -22,6 +22,7 @@ import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, line_width
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.quaternion import from_angles, looking, slerp, squad, to_angles, turned
@@ -87,21 +88,16 @@ def orientation(flight: FlightSettings, four: Sequence[Key], t: float) -> np.nda
     return from_angles(*(here.angles + t * change))
 
 
-class Flight:
+class Flight(Element[Settings]):
     """The camera's path around the statue."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Place the keys."""
-        self._settings, self._keys = settings, keyframes()
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing is built from them."""
-        self._settings = settings
-        return True
+        self.settings, self._keys = settings, keyframes()
 
     def camera(self, kt: float) -> tuple[np.ndarray, np.ndarray]:
         """Return the eye's place (3,) and the camera's orientation (4,) at a time."""
-        flight, keys = self._settings.flight, self._keys
+        flight, keys = self.settings.flight, self._keys
         number, t = divmod(kt / flight.kt_per_key, 1.0)
         four = [keys[(int(number) + k) % len(keys)] for k in (-1, 0, 1, 2)]
         weights = np.array([t**3, t**2, t, 1.0]) @ SPLINES["catmull_rom"]
@@ -121,7 +117,7 @@ class Flight:
 
     def _along(self, pieces: int) -> tuple[np.ndarray, np.ndarray]:
         """Return the eye's places (n, 3) and the camera's axes (n, 3, 3), ``pieces`` a key."""
-        span = self._settings.flight.kt_per_key
+        span = self.settings.flight.kt_per_key
         cameras = [self.camera(k * span / pieces) for k in range(pieces * len(self._keys))]
         places = np.stack([place for place, _ in cameras])
         return places, np.stack([turned(turn, np.eye(3)) for _, turn in cameras])
@@ -154,6 +150,3 @@ class Flight:
         line_width(width)
         with client_arrays(points, colors=colors):
             gl.glDrawArrays(gl.GL_LINES, 0, len(points))
-
-    def release(self) -> None:
-        """Nothing was made in OpenGL."""

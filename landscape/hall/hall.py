@@ -2,12 +2,13 @@
 
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
-from typing import Any
+from functools import partial
 
 from framelens.gl.extensions import has_stencil
 from framelens.gl.seam import begin_pass, drawing, gl
 from framelens.gl.state import attrib
 from landscape.elements import sun
+from landscape.elements.element import Elements, Site, Slot
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
@@ -58,70 +59,85 @@ class Hall(Ground):
         self, settings: Settings, assets: Assets, seed: int, only: tuple[str, ...] = STANDING
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
-        self.settings, self.shown = settings, set(only)
-        self._owned: list[Any] = []
-        self.shadow: PlanarShadow | None = None
+        self.settings = settings
+        self.elements = Elements(settings, assets, seed, only)
         self.casters: Casters | None = None
-        try:
-            begin_pass("setup")
-            self.room = self._built(("room", "floor", "caustics"), Room, settings, assets)
-            self.caustics = self._built(("caustics",), Caustics, settings, assets, self.room)
-            self.pool = self._built(("pool",), Pool, settings, assets)
+        with self.elements.building():
+            self.elements.build(
+                Slot("room", (Room,), built_for=("room", "floor", "caustics"), base=True),
+                Slot("caustics", (Caustics,)),
+                Slot("pool", (Pool,)),
+            )
             stencil = has_stencil(IN_STENCIL)
-            self.mirror: Any = None
             if stencil:
-                self.mirror = self._built(("mirror",), Mirror, settings)
-            self.entrance = self._built(("door",), Entrance, settings, assets)
-            self.statue = self._built(("statue",), Statue, settings, assets)
-            if self.statue and stencil:
-                shadowing = settings, self._cast, self.statue.box
-                self.shadow = self._built(("shadow",), PlanarShadow, *shadowing)
+                self.elements.build(Slot("mirror", (Mirror,)))
+            self.elements.build(Slot("door", (Entrance,)), Slot("statue", (Statue,), base=True))
+            if stencil:
+                self.elements.build(
+                    Slot("shadow", (PlanarShadow,), beside=("statue",), build=self._shadow)
+                )
+            if stencil and self.elements.get(Statue) is not None:
                 self.casters = Casters()
-            self.sky = self._built(("sky",), MovingSky, settings, assets)
-            self.exhibits = self._built(("exhibits",), Cabinet, settings, assets, stencil)
-            self.torches = self._built(("torches",), Torches, settings, assets)
-            self.shafts = self._built(("shafts",), Shafts, settings)
-            self.mist = self._built(("mist",), Mist, settings, assets)
-            self.tone = self._built(("tone",), Tone, settings, assets, stencil)
-            self.flight = self._built(("flight",), Flight, settings, assets)
-            self.sword = self._built(("sword",), Sword, settings, assets)
-            if self.statue and self.room:
-                with drawing("statue"):
-                    self.statue.gild(self._draw_surroundings)
-            if self.pool and self.room:
-                with drawing("pool"):
-                    self.pool.reflect(self._draw_over_pool)
-        except BaseException:
-            self.release()
-            raise
+            self.elements.build(
+                Slot("sky", (MovingSky,)),
+                Slot("exhibits", (Cabinet,), build=partial(self._with_stencil, Cabinet, stencil)),
+                Slot("torches", (Torches,)),
+                Slot("shafts", (Shafts,)),
+                Slot("mist", (Mist,)),
+                Slot("tone", (Tone,), build=partial(self._with_stencil, Tone, stencil)),
+                Slot("flight", (Flight,)),
+                Slot("sword", (Sword,)),
+            )
+            self._mirror_surroundings()
 
         self.obstacles, self.doors = obstacles(), (door(),)
 
-    def _built(self, names: tuple[str, ...], kind: type, *given: Any) -> Any:
-        """Build an element if any of its names may be shown; otherwise return None."""
-        if self.shown.isdisjoint(names):
-            return None
-        with drawing(*names):
-            element = kind(*given)
-        self._owned.append(element)
-        return element
+    def _shadow(self, site: Site[Settings]) -> PlanarShadow:
+        return PlanarShadow(site.settings, self._cast, site.elements[Statue].box)
+
+    @staticmethod
+    def _with_stencil(
+        kind: type[Cabinet] | type[Tone], stencil: bool, site: Site[Settings]
+    ) -> Cabinet | Tone:
+        return kind(site.settings, site.assets, stencil)
+
+    def _mirror_surroundings(self) -> None:
+        """Let the statue and the pool's water mirror the hall, which is built."""
+        statue, pool = self.elements.get(Statue), self.elements.get(Pool)
+        if self.elements.get(Room) is None:
+            return
+        if statue:
+            with drawing("statue"):
+                statue.gild(self._draw_surroundings)
+        if pool:
+            with drawing("pool"):
+                pool.reflect(self._draw_over_pool)
+
+    @property
+    def shown(self) -> set[str]:
+        """The names of the elements to draw; may be changed between frames."""
+        return self.elements.shown
+
+    @shown.setter
+    def shown(self, names: set[str]) -> None:
+        self.elements.shown = names
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False, changing nothing, if an element must be built again."""
-        taken: list[Any] = []
-        for element in self._owned:
-            if not element.apply(settings):
-                for each in taken:
-                    each.apply(self.settings)
-                return False
-            taken.append(element)
+        """Apply settings; return False, changing nothing, if the hall must be opened again."""
+        if self.elements.apply(settings) is None:
+            return False
         self.settings = settings
         return True
+
+    @property
+    def room(self) -> Room:
+        """The room's stone; LookupError if neither room nor floor may be shown."""
+        return self.elements[Room]
 
     def eye(self, walker: Pose, kt: float) -> Pose:
         """Return from where the hall is seen: the flying camera's pose, or the walker's."""
         flying = self.settings.flight.enabled and "flight" in self.shown
-        return self.flight.pose(kt) if flying else walker
+        return self.elements[Flight].pose(kt) if flying else walker
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
@@ -138,60 +154,62 @@ class Hall(Ground):
             self._draw_floor(frame)
             self._draw_basin(frame)  # after the image, which would have to be drawn through it
             # The net of light is blended over the stone.
-            self._draw("caustics", self.caustics, frame)
+            self.elements.draw("caustics", frame)
             gl.glFlush()
-            self._draw("pool", self.pool, frame)  # blended over its bed
+            self.elements.draw("pool", frame)  # blended over its bed
 
             # Blended: each after all that is opaque behind it.
             if not dimmed:
-                self._draw("torches", self.torches, frame)
-            self._draw("shafts", self.shafts, frame)
-            self._draw("mist", self.mist, frame)
+                self.elements.draw("torches", frame)
+            self.elements.draw("shafts", frame)
+            self.elements.draw("mist", frame)
 
         # What has been drawn so far is the picture that these change.
         begin_pass("picture")
-        self._draw("tone", self.tone, frame)
+        self.elements.draw("tone", frame)
         if dimmed:
-            self._draw("torches", self.torches, frame)  # flames shine as before
+            self.elements.draw("torches", frame)  # flames shine as before
 
         begin_pass("overlay")
         if not values.flight.enabled:
-            self._draw("sword", self.sword, frame)
+            self.elements.draw("sword", frame)
 
     def _draw_hall(self, frame: Frame) -> None:
         """Draw what stands in the hall: in the frame itself, and mirrored in the floor."""
-        if self.exhibits is not None and "exhibits" in self.shown:
-            with drawing("exhibits"):
-                self.exhibits.draw_first(frame)  # needs an empty depth buffer
-        self._draw("room", self.room, frame)
+        exhibits = self.elements.get(Cabinet)
+        if exhibits:
+            # The first part of them needs an empty depth buffer.
+            self.elements.draw("exhibits", frame, exhibits.draw_first)
+        self.elements.draw("room", frame)
 
         # OpenGL executes the calls so far while Python goes on; so below.
         gl.glFlush()
         if frame.mirrored and not self.settings.mirror.clip:
             self._draw_basin(frame)
-        self._draw("door", self.entrance, frame)
-        self._draw("exhibits", self.exhibits, frame)
+        self.elements.draw("door", frame)
+        self.elements.draw("exhibits", frame)
         with self._marking(frame):
-            self._draw("statue", self.statue, frame)
+            self.elements.draw("statue", frame)
         self._shade_wall(frame)
-        self._draw("sky", self.sky, frame)
+        self.elements.draw("sky", frame)
         if frame.mirrored:
-            self._draw("torches", self.torches, frame)
+            self.elements.draw("torches", frame)
         values = self.settings
         if values.flight.path and not values.flight.enabled:
-            self._draw("flight", self.flight, frame)
+            self.elements.draw("flight", frame)
 
     def _marking(self, frame: Frame) -> AbstractContextManager[None]:
         """Let what is drawn be marked for the change of tone, if that needs it."""
-        if self.tone is None or "tone" not in self.shown or frame.mirrored:
+        tone = self.elements.get(Tone)
+        if tone is None or "tone" not in self.shown or frame.mirrored:
             return nullcontext()
-        return self.tone.marking()  # type: ignore[no-any-return]
+        return tone.marking()
 
     def _draw_basin(self, frame: Frame) -> None:
         """Draw the pool's bed and sides, with the caustics on them if that takes one pass."""
         if "room" not in self.shown:
             return
-        shine = self.caustics if "caustics" in self.shown else None
+        shine = self.elements.get(Caustics) if "caustics" in self.shown else None
         with drawing("room"):
             if shine and shine.in_one_pass:
                 with shine.while_drawn(frame):
@@ -204,24 +222,25 @@ class Hall(Ground):
         gl.glClearColor(*self.settings.fog.color, 1.0)
         gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
         sun.shine(self.settings.sun)
-        self._draw("room", self.room, frame)
-        self._draw("door", self.entrance, frame)
+        self.elements.draw("room", frame)
+        self.elements.draw("door", frame)
         self.room.draw_pool()
         self.room.draw_floor()
-        self._draw("sky", self.sky, frame)
+        self.elements.draw("sky", frame)
 
     def _draw_over_pool(self, frame: Frame) -> None:
         """Draw what the pool's water mirrors."""
         self._draw_surroundings(frame)
-        self._draw("statue", self.statue, frame)
-        self._draw("torches", self.torches, frame)
+        self.elements.draw("statue", frame)
+        self.elements.draw("torches", frame)
 
     def _draw_image(self, frame: Frame) -> None:
         """Draw the mirror image where the floor is visible, before the floor covers it."""
-        if not self._polished or not self.mirror.shows(frame):
+        mirror = self._polish
+        if mirror is None or not mirror.shows(frame):
             return
         begin_pass("reflection")
-        with self.mirror.image(self.room.send_floor):
+        with mirror.image(self.room.send_floor):
             self._draw_hall(replace(frame, mirrored=True))
         begin_pass("main")
 
@@ -229,10 +248,10 @@ class Hall(Ground):
         """Draw the floor: over its mirror image, plain without one, or its underside."""
         if "floor" not in self.shown:
             return
-        shadow = self._shading("floor")
+        shadow, mirror = self._shading("floor"), self._polish
         with drawing("floor"):
-            if self._polished and frame.eye_y <= 0.0:
-                self.mirror.draw_underside(self.room.send_foundation)
+            if mirror and frame.eye_y <= 0.0:
+                mirror.draw_underside(self.room.send_foundation)
             elif shadow and shadow.relights:
                 for without in shadow.parts(frame, on_floor(self.room.send_floor)):
                     self._lay_floor(frame, *without)
@@ -244,8 +263,9 @@ class Hall(Ground):
     def _lay_floor(self, frame: Frame, *without: str) -> None:
         """Draw the floor without the light of "sun", "torch" or both."""
         without = self._unlit(*without)
-        if self._polished and self.mirror.shows(frame):
-            self.mirror.draw_floor(frame, lambda: self.room.draw_floor(*without))
+        mirror = self._polish
+        if mirror and mirror.shows(frame):
+            mirror.draw_floor(frame, lambda: self.room.draw_floor(*without))
         else:
             self.room.draw_floor(*without)
 
@@ -270,32 +290,25 @@ class Hall(Ground):
     def _shading(self, where: str) -> PlanarShadow | None:
         """Return the statue's shadows if they show there, on the floor or on the room's wall."""
         shown = {"shadow", "statue", where} <= self.shown and self.settings.shadow.enabled
-        return self.shadow if shown else None
+        return self.elements.get(PlanarShadow) if shown else None
 
     def _cast(self, frame: Frame, light: str) -> None:
         """Send what casts a light's shadows: statue and plinth, perhaps pillars and torches."""
-        self.statue.send_shadowing(frame)
+        self.elements[Statue].send_shadowing(frame)
         self.room.send_plinth()
         if self.casters and light == "torch" and self.settings.shadow.casters == "all":
             self.casters.send()
 
     @property
-    def _polished(self) -> bool:
-        """Whether the floor is shown as a mirror."""
-        return self.mirror is not None and {"floor", "mirror"} <= self.shown
-
-    def _draw(self, name: str, element: Any, frame: Frame) -> None:
-        """Draw an element if it was built and is shown now."""
-        if element is not None and name in self.shown:
-            with drawing(name):
-                element.draw(frame)
+    def _polish(self) -> Mirror | None:
+        """The mirror in the floor, if the floor is shown as one."""
+        return self.elements.get(Mirror) if {"floor", "mirror"} <= self.shown else None
 
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""
         if self.casters:
             self.casters.release()
-        while self._owned:
-            self._owned.pop().release()
+        self.elements.release()
 
 
 def obstacles() -> tuple[Obstacle, ...]:

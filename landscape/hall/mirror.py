@@ -21,8 +21,9 @@ image's statue is a unit mesh under glScalef, which makes normals too long: with
 ``mirror.normals`` (GL_NORMALIZE) it is far too bright.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
+from typing import Self
 
 import numpy as np
 
@@ -30,6 +31,7 @@ from framelens.gl.seam import drawing, drawn_now, gl
 from framelens.gl.state import attrib, matrix
 from framelens.gl.texture import Texture
 from landscape.elements import sun
+from landscape.elements.element import Element, Site
 from landscape.elements.reflection import MIRROR
 from landscape.frame import Frame
 from landscape.gl.features import possible
@@ -67,33 +69,35 @@ def alpha_image(strength: float) -> np.ndarray:
     return image
 
 
-class Mirror:
+class Mirror(Element[Settings]):
     """The mirror image in the floor, and the floor over it."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.mirror.strength
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it; it needs no files."""
+        return cls(site.settings)
 
     def __init__(self, settings: Settings) -> None:
         """Make the texture of the floor's opacity, where there are texture units for it."""
-        self._values = settings.mirror
-        self._sun = settings.sun
+        self.settings = settings
         self._opacity: Texture | None = None
         if possible("mirror.fresnel"):
-            image = alpha_image(self._values.strength)
+            image = alpha_image(settings.mirror.strength)
             self._opacity = Texture(image, repeat=False, trilinear=False, mipmaps=False)
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the floor's opacity differs."""
-        if settings.mirror.strength != self._values.strength:
-            return False
-        self._values, self._sun = settings.mirror, settings.sun
-        return True
 
     def shows(self, frame: Frame) -> bool:
         """Return whether there is an image to draw: not from below."""
-        return self._values.enabled and frame.eye_y > 0.0
+        return self.settings.mirror.enabled and frame.eye_y > 0.0
 
     @contextmanager
     def image(self, mark: Callable[[], None]) -> Iterator[None]:
         """Draw the block's elements as the floor mirrors them; ``mark`` sends the floor."""
-        values, outside = self._values, drawn_now()
+        values, outside = self.settings.mirror, drawn_now()
         with drawing("mirror"), attrib(gl.GL_STENCIL_BUFFER_BIT):
             if values.stencil:
                 self._mark(mark)
@@ -107,7 +111,7 @@ class Mirror:
                 if values.winding:
                     gl.glFrontFace(gl.GL_CW)
                 if values.lights:
-                    sun.place(self._sun)
+                    sun.place(self.settings.sun)
                 if values.clip:
                     # Placed under the mirror matrix: it keeps what is above the floor itself.
                     gl.glClipPlane(gl.GL_CLIP_PLANE0, np.array([0.0, 1.0, 0.0, 0.0], np.float64))
@@ -130,7 +134,7 @@ class Mirror:
 
     def draw_floor(self, frame: Frame, draw: Callable[[], None]) -> None:
         """Blend the floor over its mirror image; ``draw`` draws it, in the current colour."""
-        values = self._values
+        values = self.settings.mirror
         groups = gl.GL_COLOR_BUFFER_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
         with attrib(groups):
             gl.glEnable(gl.GL_BLEND)
@@ -160,7 +164,7 @@ class Mirror:
 
     def draw_underside(self, send: Callable[[], None]) -> None:
         """Draw the floor as it is seen from below; ``send`` sends it and all that hangs from it."""
-        if not self._values.underside:
+        if not self.settings.mirror.underside:
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
         with attrib(groups | gl.GL_STENCIL_BUFFER_BIT):

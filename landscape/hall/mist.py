@@ -10,9 +10,12 @@ early hides those behind it, and what is transparent besides. Without ``mist.cle
 through the pillars in a line, and near its own height is streaks like stretched cloth.
 """
 
+from collections.abc import Hashable
+
 import numpy as np
 
 from landscape.elements.best.mist.mist_sheets import UNLIT, Mask, MistSheets
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -118,12 +121,17 @@ def softened(clouds: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(np.rint(mean), np.uint8)
 
 
-class Mist:
+class Mist(Element[Settings]):
     """The mist."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.mist.sheets, settings.mist.density
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the clouds and compile the sheets, the lowest first."""
-        self._settings = settings
+        self.settings = settings
         vertices, opacity, triangles = sheet()
         mist = settings.mist
         shares = np.linspace(0, 1, mist.sheets) if mist.sheets > 1 else np.array([0.5])
@@ -140,17 +148,9 @@ class Mist:
         levels = heights(mist.sheets)
         self._sheets = MistSheets(picture, levels, sheets, REPEAT, False, around_things(), THIN)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the sheets would differ."""
-        built = self._settings.mist.sheets, self._settings.mist.density
-        if built != (settings.mist.sheets, settings.mist.density):
-            return False
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Blend the sheets over what has been drawn."""
-        mist = self._settings.mist
+        mist = self.settings.mist
         if mist.enabled:
             self._sheets.draw(frame, DRIFT * frame.kt, mist.sorted, mist.mask, mist.clear)
 

@@ -17,6 +17,7 @@ import numpy as np
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, combine, matrix
 from framelens.gl.texture import Texture
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -145,12 +146,12 @@ def openings_in_view(frame: Frame, vault: bool = True) -> tuple[int, int, int, i
     return x0, y0, max(right) - x0, max(top) - y0
 
 
-class MovingSky:
+class MovingSky(Element[Settings]):
     """The sky over the hall."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the clouds and compile the dome."""
-        self._settings = settings
+        self.settings = settings
         self._clouds = Texture(read_image(assets.path("clouds.png")), trilinear=False)
         vertices, colors, places, triangles = dome()
 
@@ -160,16 +161,11 @@ class MovingSky:
 
         self._list, self._sea = DisplayList(send), DisplayList(send_sea)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing is built from them."""
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Draw the sky around the viewer, where nothing else is."""
-        if (part := openings_in_view(frame, self._settings.room.vault)) is None:
+        if (part := openings_in_view(frame, self.settings.room.vault)) is None:
             return
-        sky = self._settings.sky
+        sky = self.settings.sky
         layers = [HIGH, LOW] if sky.sorted else [LOW, HIGH]
         layers = layers[: sky.layers] if possible("sky.layers") else []
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT

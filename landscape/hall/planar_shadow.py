@@ -39,6 +39,7 @@ from framelens.gl.seam import drawing, gl
 from framelens.gl.state import attrib, front_faces, matrix
 from framelens.gl.texture import Texture
 from landscape.elements import sun
+from landscape.elements.element import Element
 from landscape.frame import Frame
 from landscape.geometry.planar import misprinted_matrix, shadows_of
 from landscape.hall import plan
@@ -152,7 +153,7 @@ WHOLE = corners_of(
 )
 
 
-class PlanarShadow:
+class PlanarShadow(Element[Settings]):
     """The shadows of what ``cast`` sends."""
 
     def __init__(
@@ -162,29 +163,24 @@ class PlanarShadow:
 
         The light is "sun" or "torch". The box is that of the statue.
         """
-        self._settings, self._cast = settings, cast
+        self.settings, self._cast = settings, cast
         self._box = corners_of(box)
         self._light: Texture | None = None
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing is built from them."""
-        self._settings = settings
-        return True
 
     @property
     def relights(self) -> bool:
         """Whether receivers are drawn again without a light; only a stencil makes that possible."""
-        return self._settings.shadow.method == "relight" and self._settings.shadow.stencil
+        return self.settings.shadow.method == "relight" and self.settings.shadow.stencil
 
     def lights(self, frame: Frame, receiver: Receiver) -> dict[str, tuple[np.ndarray, Part | None]]:
         """Return the lights, each (4,), that may cast shadows on a receiver in view, by name.
 
         Beside each is the part of the picture that its shadow is in, None for all of it.
         """
-        wanted = self._settings.shadow
+        wanted = self.settings.shadow
         found = {}
         if wanted.light in ("sun", "both"):
-            found["sun"] = np.append(sun.direction(self._settings.sun), 0.0)
+            found["sun"] = np.append(sun.direction(self.settings.sun), 0.0)
         if wanted.light in ("torch", "both"):
             found["torch"] = flame(frame.kt, wanted)
         if not wanted.behind:
@@ -206,15 +202,15 @@ class PlanarShadow:
         with self._shadowing():
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            gl.glColor4f(0.0, 0.0, 0.0, self._settings.shadow.strength)
+            gl.glColor4f(0.0, 0.0, 0.0, self.settings.shadow.strength)
             for name, (light, _) in self.lights(frame, receiver).items():
-                if self._settings.shadow.stencil:
+                if self.settings.shadow.stencil:
                     self._mark(inside, receiver)
                     gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
                     gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_ZERO)
                     gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
                 self._flatten(frame, receiver, light, name)
-                if name == "torch" and self._settings.shadow.stencil:
+                if name == "torch" and self.settings.shadow.stencil:
                     self._shine(inside, receiver, light)
         # In Mesa glPopAttrib does not restore a colour that nothing was drawn with.
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
@@ -225,7 +221,7 @@ class PlanarShadow:
         GL_DST_COLOR, GL_ONE adds what is there to itself, times a texture of the light. The wall is
         bright enough already, by the torch's own bowl.
         """
-        strength = self._settings.shadow.shine
+        strength = self.settings.shadow.shine
         x, height, z = light[:3].tolist()
         if not strength or height <= 0.0 or not receiver.plane[1]:
             return
@@ -286,7 +282,7 @@ class PlanarShadow:
 
     def _inside(self, frame: Frame) -> int:
         """Return the bit that pixels must have: in a mirror image, where the floor is visible."""
-        return FLOOR if frame.mirrored and self._settings.mirror.stencil else 0
+        return FLOOR if frame.mirrored and self.settings.mirror.stencil else 0
 
     @contextmanager
     def _shadowing(self) -> Iterator[None]:
@@ -313,7 +309,7 @@ class PlanarShadow:
 
     def _flatten(self, frame: Frame, receiver: Receiver, light: np.ndarray, name: str) -> None:
         """Send what casts a light's shadows, flattened onto the plane along its rays."""
-        values = self._settings.shadow
+        values = self.settings.shadow
         if values.offset:
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(*OFFSET)

@@ -21,6 +21,7 @@ import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
@@ -115,12 +116,12 @@ def mirrored(
     return vertices + reach.min(axis=1, keepdims=True) * ray - CENTRE, mirrored_share(met)
 
 
-class Pool:
+class Pool(Element[Settings]):
     """The water in the pool."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Build the grid."""
-        self._settings = settings
+        self.settings = settings
         self._vertices, self._triangles = surface()
         self._cube: CubeMap | None = None
 
@@ -129,14 +130,9 @@ class Pool:
         if possible("pool.mirrors"):
             self._cube = cube_around(CENTRE, SIDE, draw, ABOVE)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; all are read at each draw."""
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Blend the surface over the bed."""
-        values = self._settings.pool
+        values = self.settings.pool
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT | gl.GL_TEXTURE_BIT):
             gl.glEnable(gl.GL_BLEND)

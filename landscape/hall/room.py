@@ -11,7 +11,7 @@ torch beside the pool can be left out: see light.py, and ``without`` of :meth:`d
 State used: texture units 0 and 1, GL_CULL_FACE.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 
@@ -20,6 +20,7 @@ import numpy as np
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, front_faces, multiply, use_unit
 from framelens.gl.texture import Texture
+from landscape.elements.element import Element
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
@@ -106,12 +107,17 @@ def compiled(parts: Sequence[Part], fades: bool = False) -> DisplayList:
     return DisplayList(send)
 
 
-class Room:
+class Room(Element[Settings]):
     """Walls, pillars, vault, plinth and the pool's basin; the floor is drawn on its own."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.room
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the textures and compile a display list for each material and sheet."""
-        self._settings = settings
+        self.settings = settings
         self._toned: tuple[str, TonedTexture] | None = None
         self._lit = possible("the hall's light maps")
         self._textures = {
@@ -161,7 +167,7 @@ class Room:
         return [
             (self.texture(material), self._tint(material), part)
             for (material, _, own), part in bay.items()
-            if (material != "vault" or self._settings.room.vault)
+            if (material != "vault" or self.settings.room.vault)
             and int(own) == min(level, levels_of(material)[-1])
         ]
 
@@ -171,14 +177,11 @@ class Room:
         light = 1.0 if self._lit else UNLIT
         return red * light, green * light, blue * light
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the lists would differ."""
-        if settings.room != self._settings.room:
-            return False
-        former, self._settings = self._settings, settings
+    def take(self, settings: Settings) -> None:
+        """Take other settings, and the tones of the textures that they ask for."""
+        former, self.settings = self.settings, settings
         if toned_by(settings) != toned_by(former):
             self._tone(settings)
-        return True
 
     def _tone(self, settings: Settings) -> None:
         """Give the texture that ``tone.texture`` names its contrast and brightness."""
@@ -198,7 +201,7 @@ class Room:
         boxes = self._boxes[frame.mirrored]
         order = np.argsort(np.abs(boxes[:, 0, 2] - frame.pose.z), kind="stable")
         levels = self.levels(frame)
-        fades = frame.mirrored and self._settings.mirror.fades
+        fades = frame.mirrored and self.settings.mirror.fades
         with attrib(gl.GL_CURRENT_BIT):
             with self._textured():
                 self._lay_light("hall")
@@ -209,7 +212,7 @@ class Room:
                     # In Mesa glPopAttrib does not restore a colour that came from an array.
                     gl.glColor3f(1.0, 1.0, 1.0)
             self._draw(("plinth",))
-            self._draw(("wall",), () if self._settings.shadow.sunlit else ("sun",), ("north",))
+            self._draw(("wall",), () if self.settings.shadow.sunlit else ("sun",), ("north",))
 
     def _bay(self, number: int, level: int, fades: bool) -> DisplayList:
         """Return a bay's list of a level, or of the next coarser one, if it ``fades``."""
@@ -304,7 +307,7 @@ class Room:
 
     def _lay_plinth_light(self) -> None:
         """Let unit 1 sample the plinth's own light map, if its light is not the baked one."""
-        sunlit, figure = self._settings.shadow.sunlit, self._settings.statue.figure
+        sunlit, figure = self.settings.shadow.sunlit, self.settings.statue.figure
         if not self._lit or (sunlit and figure != "ball"):
             return
         if (sunlit, figure) not in self._plinth:

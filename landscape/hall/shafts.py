@@ -9,10 +9,13 @@ What is wrong with it: the air is lit in sheets, not everywhere, so that from th
 one looks along them and sees none; and what stands in the light throws no shadow through the air.
 """
 
+from typing import Self
+
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays
+from landscape.elements.element import Element, Site
 from landscape.elements.sun import direction
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
@@ -56,29 +59,33 @@ def sheets(towards: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     )
 
 
-class Shafts:
+class Shafts(Element[Settings]):
     """The shafts of light."""
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it; it needs no files."""
+        return cls(site.settings)
 
     def __init__(self, settings: Settings) -> None:
         """Compute the sheets."""
         self._build(settings)
 
     def _build(self, settings: Settings) -> None:
-        self._settings = settings
+        self.settings = settings
         self._vertices, bright, self._triangles = sheets(direction(settings.sun))
         light = settings.shafts.strength * bright[:, None] * np.array([*COLOUR, 0.0])
         self._colors = np.ascontiguousarray(light, np.float32)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings."""
-        if (settings.sun, settings.shafts) != (self._settings.sun, self._settings.shafts):
+    def take(self, settings: Settings) -> None:
+        """Take other settings, with other sheets for another sun or strength."""
+        if (settings.sun, settings.shafts) != (self.settings.sun, self.settings.shafts):
             self._build(settings)
-        self._settings = settings
-        return True
+        self.settings = settings
 
     def draw(self, frame: Frame) -> None:
         """Add the light of the sheets."""
-        if not self._settings.shafts.enabled or frame.mirrored:
+        if not self.settings.shafts.enabled or frame.mirrored:
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_CURRENT_BIT):
@@ -89,6 +96,3 @@ class Shafts:
                 gl.glDrawElements(
                     gl.GL_TRIANGLES, self._triangles.size, gl.GL_UNSIGNED_INT, self._triangles
                 )
-
-    def release(self) -> None:
-        """Nothing was made in OpenGL."""

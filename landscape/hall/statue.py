@@ -13,7 +13,7 @@ State used: lighting, the material, culling, GL_NORMALIZE.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import replace
 from functools import partial
 
@@ -22,6 +22,7 @@ import numpy as np
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, front_faces, glint_after_texture, matrix
 from landscape.elements.animal import read_animal
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.frame import Frame
@@ -85,12 +86,17 @@ def cast_in(mesh: Mesh, metal: tuple[float, ...], shaded: bool) -> Mesh:
     return replace(mesh, colors=colors)
 
 
-class Statue:
+class Statue(Element[Settings]):
     """The statue."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.statue.figure
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the mesh and compile its display list."""
-        self._settings = settings
+        self.settings = settings
         self._figure = settings.statue.figure
         round_ = self._figure == "ball"
         unit = ball() if round_ else read_animal(assets, "dragon.ply", "dragon.mesh")
@@ -129,11 +135,11 @@ class Statue:
 
     @property
     def _gilded(self) -> bool:
-        return self._environment is not None and self._settings.statue.environment != "none"
+        return self._environment is not None and self.settings.statue.environment != "none"
 
     def _compile(self) -> None:
         """Compile the meshes in the colours of the metal, if it has changed."""
-        metal = tuple(self._settings.statue.gold) if self._gilded else BRONZE
+        metal = tuple(self.settings.statue.gold) if self._gilded else BRONZE
         if metal == self._metal:
             return
         self._metal = metal
@@ -143,21 +149,18 @@ class Statue:
         self._lists = [DisplayList(partial(draw_mesh, mesh)) for mesh in coloured]
         self._list = self._lists[0]
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, for another figure."""
-        if settings.statue.figure != self._figure:
-            return False
-        self._settings = settings
+    def take(self, settings: Settings) -> None:
+        """Take other settings, and the metal that they ask for."""
+        self.settings = settings
         if self._environment is not None:
-            self._environment.apply(settings)
+            self._environment.settings = settings
         self._compile()
-        return True
 
     def gild(self, draw: Callable[[Frame], None]) -> None:
         """Let the statue mirror what ``draw`` draws around it, where this OpenGL can."""
         if possible("statue.environment"):
             sides = (SHARP,) * 2 if self._figure == "ball" else ()
-            self._environment = Environment(self._settings, self.middle, draw, *sides)
+            self._environment = Environment(self.settings, self.middle, draw, *sides)
             self._compile()
 
     def draw(self, frame: Frame) -> None:
@@ -173,7 +176,7 @@ class Statue:
             gl.glEnable(gl.GL_LIGHTING)
             gl.glEnable(gl.GL_COLOR_MATERIAL)
             self._light(frame)
-            if frame.mirrored and self._settings.mirror.normals:
+            if frame.mirrored and self.settings.mirror.normals:
                 gl.glEnable(gl.GL_NORMALIZE)
             send = self.send_coarse if frame.mirrored else self.send
             if self._gilded and self._environment is not None:
@@ -206,7 +209,7 @@ class Statue:
         gl.glLightfv(gl.GL_LIGHT2, gl.GL_DIFFUSE, fire)
         gl.glLightfv(gl.GL_LIGHT2, gl.GL_SPECULAR, fire)
         gl.glLightf(gl.GL_LIGHT2, gl.GL_QUADRATIC_ATTENUATION, REACH**-2)
-        place = flame(frame.kt, self._settings.shadow)
+        place = flame(frame.kt, self.settings.shadow)
         gl.glLightfv(gl.GL_LIGHT2, gl.GL_POSITION, place.astype(np.float32))
 
     @staticmethod
@@ -238,7 +241,7 @@ class Statue:
         """
         near = frame.pose.z < plan.STATUE[1]  # on the side of the wall that it falls on
         mesh = self._coarser if near else self._coarsest
-        self._send_scaled(self._finest if self._settings.shadow.casters == "all" else mesh)
+        self._send_scaled(self._finest if self.settings.shadow.casters == "all" else mesh)
 
     def _send_scaled(self, mesh: DisplayList) -> None:
         with matrix():

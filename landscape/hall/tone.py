@@ -21,6 +21,7 @@ from contextlib import contextmanager
 from framelens.gl.extensions import antialiased, tell
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.gl.features import possible
@@ -38,22 +39,17 @@ def doublings(scale: float) -> list[float]:
     return [*factors, scale]
 
 
-class Tone:
+class Tone(Element[Settings]):
     """Brightness and contrast, applied to what has been drawn."""
 
     def __init__(self, settings: Settings, assets: Assets, stencil: bool = True) -> None:
         """Take the settings; without a ``stencil`` buffer no part of the picture is changed."""
-        self._settings, self._stencil = settings, stencil
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing is built from them."""
-        self._settings = settings
-        return True
+        self.settings, self._stencil = settings, stencil
 
     @property
     def _changes(self) -> bool:
         """Whether there is anything to change, and a way to do it."""
-        tone = self._settings.tone
+        tone = self.settings.tone
         possible = tone.area == "picture" or self._stencil
         return possible and (tone.brightness, tone.contrast) != (0.0, 1.0)
 
@@ -63,7 +59,7 @@ class Tone:
 
         What is drawn later must not cover them, or clear their marks.
         """
-        if self._settings.tone.area == "picture" or not self._changes:
+        if self.settings.tone.area == "picture" or not self._changes:
             yield
             return
         with attrib(gl.GL_ENABLE_BIT | gl.GL_STENCIL_BUFFER_BIT):
@@ -77,7 +73,7 @@ class Tone:
         """Change the picture drawn so far, if there is anything to change."""
         if not self._changes:
             return
-        tone = self._settings.tone
+        tone = self.settings.tone
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         groups |= gl.GL_STENCIL_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_PIXEL_MODE_BIT
         with attrib(groups):
@@ -94,7 +90,7 @@ class Tone:
                     self._blend()
 
     def _blend(self) -> None:
-        tone = self._settings.tone
+        tone = self.settings.tone
         bias, scale = tone.brightness, tone.contrast
         gl.glEnable(gl.GL_BLEND)
         if scale <= 1.0 and bias >= 0.0:
@@ -127,15 +123,12 @@ class Tone:
             gl.glBlendEquation(gl.GL_FUNC_ADD)
 
     def _copy(self, frame: Frame) -> None:
-        tone = self._settings.tone
+        tone = self.settings.tone
         for name in ("RED", "GREEN", "BLUE"):
             gl.glPixelTransferf(getattr(gl, f"GL_{name}_SCALE"), tone.contrast)
             gl.glPixelTransferf(getattr(gl, f"GL_{name}_BIAS"), tone.brightness)
         gl.glRasterPos2f(-1.0, -1.0)
         gl.glCopyPixels(0, 0, *frame.viewport, gl.GL_COLOR)
-
-    def release(self) -> None:
-        """Nothing was made in OpenGL."""
 
 
 def copies() -> bool:

@@ -20,6 +20,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, line_width, matrix
 from framelens.gl.texture import Texture
 from landscape.elements.castle_fire import flame_frame
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Frame
@@ -101,26 +102,21 @@ def halos(
     return found.reshape(-1, 8)
 
 
-class Torches:
+class Torches(Element[Settings]):
     """The flames."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the pictures of the flame and make that of the glow."""
-        self._settings = settings
+        self.settings = settings
         self._fire = Texture(read_image(assets.path("fire.png")), repeat=False)
         self._halo = Texture(halo_image(), repeat=False)
         lamp = bowl()
         self._bowl = DisplayList(lambda: draw_mesh(lamp))
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing is built from them."""
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Blend the flames, then add their glow; before them, the bowl that hangs, if one does."""
-        values, places = self._settings.torches, torches(self._settings.shadow)
-        if hanging(self._settings.shadow):
+        values, places = self.settings.torches, torches(self.settings.shadow)
+        if hanging(self.settings.shadow):
             self._draw_bowl(frame, *places[0].tolist())
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT):

@@ -94,6 +94,11 @@ def get(settings: Any, key: str) -> Value:
     return found
 
 
+def differs(settings: Any, key: str) -> bool:
+    """Return whether a key has another value than its default."""
+    return get(settings, key) != fields(type(settings))[key].default
+
+
 def next_value(settings: Any, key: str) -> Value:
     """Return the other value of a bool, or the next of a key's choices, all round."""
     value, choices = get(settings, key), fields(type(settings))[key].metadata["choices"]

@@ -1,8 +1,9 @@
 """The cabinet: which exhibits are in view, and the order in which they are drawn."""
 
 import math
-from typing import Any
+from collections.abc import Hashable
 
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.culling import ball_in_view
@@ -10,6 +11,7 @@ from landscape.gl.features import possible
 from landscape.hall import plan
 from landscape.hall.exhibits.accumulation import Accumulation
 from landscape.hall.exhibits.depth_of_field import DepthOfField
+from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.hidden_lines import HiddenLines
 from landscape.hall.exhibits.motion_blur import MotionBlur
 from landscape.hall.exhibits.niche import (
@@ -35,19 +37,24 @@ FAR = 0.9  # chosen: units beyond which an exhibit is shown without its effect
 HOLDS = {SOLIDS: 0.075, LINES: 0.13, FOCUS: 0.10, BLUR: 0.08, SOFT: 0.17, VOLUME: 0.17}
 
 
-class Cabinet:
+class Cabinet(Element[Settings]):
     """The six alcoves of the west wall."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.exhibits.soft_lamp
 
     def __init__(self, settings: Settings, assets: Assets, stencil: bool = True) -> None:
         """Build stone and exhibits; without a ``stencil`` buffer two of them lack their effect."""
-        self._settings, self._stencil = settings, stencil
+        self.settings, self._stencil = settings, stencil
         self._stone = Stone(assets)
         self._accumulation: Accumulation | None = None
         if possible("exhibits.soft, exhibits.blur, exhibits.focus"):
             self._accumulation = Accumulation(settings.exhibits.deep)
         sums = self._accumulation
         self._solids = Solids(settings, assets)
-        self._exhibits: dict[int, tuple[str, Any]] = {
+        self._exhibits: dict[int, tuple[str, Exhibit]] = {
             LINES: ("lines", HiddenLines(settings, assets)),
             FOCUS: ("focus", DepthOfField(settings, assets, sums)),
             BLUR: ("blur", MotionBlur(settings, assets, sums)),
@@ -55,21 +62,18 @@ class Cabinet:
             VOLUME: ("volume", ShadowVolume(settings, assets, self._stone)),
         }
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if a lamp has another size."""
-        if settings.exhibits.soft_lamp != self._settings.exhibits.soft_lamp:
-            return False
-        self._settings = settings
+    def take(self, settings: Settings) -> None:
+        """Take other settings, for all of the exhibits."""
+        self.settings = settings
         if self._accumulation is not None:
             self._accumulation.set_deep(settings.exhibits.deep)
-        self._solids.apply(settings)
+        self._solids.take(settings)
         for _, exhibit in self._exhibits.values():
-            exhibit.apply(settings)
-        return True
+            exhibit.take(settings)
 
     def draw_first(self, frame: Frame) -> None:
         """Draw what needs an empty depth buffer; the rest of the hall comes after it."""
-        shown = self._stencil and self._settings.exhibits.solids and in_view(frame, SOLIDS)
+        shown = self._stencil and self.settings.exhibits.solids and in_view(frame, SOLIDS)
         if shown and self._shows(frame, SOLIDS):
             self._solids.draw(frame)
 
@@ -82,7 +86,7 @@ class Cabinet:
             number
             for number in seen
             if number in self._exhibits
-            and getattr(self._settings.exhibits, self._exhibits[number][0])
+            and getattr(self.settings.exhibits, self._exhibits[number][0])
             and self._shows(frame, number)
         ]
         effects = {each for each in shown if near(frame, each) and not frame.mirrored}
@@ -90,7 +94,7 @@ class Cabinet:
             effects.discard(VOLUME)
 
         # The shadow volume draws its alcove itself.
-        faded = frame.mirrored and self._settings.mirror.fades
+        faded = frame.mirrored and self.settings.mirror.fades
         plain = [each for each in seen if each != VOLUME or each not in effects]
         self._stone.draw(plain, "image" if faded else "both")
         self._stone.draw_plates()

@@ -23,6 +23,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
 from landscape.hall.exhibits import niche
 from landscape.hall.exhibits.accumulation import Accumulation, disc
+from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import FOCUS, MIDDLE, TOP, lit_by, shiny
 from landscape.hall.settings import Settings
 
@@ -49,22 +50,17 @@ def lens(offset: tuple[float, float], focus: float, shear: bool = True) -> np.nd
     return found
 
 
-class DepthOfField:
+class DepthOfField(Exhibit):
     """The three rabbits."""
 
     def __init__(self, settings: Settings, assets: Assets, accumulation: Accumulation | None):
         """Compile a rabbit; without ``accumulation`` all are sharp."""
-        self._settings, self._accumulation = settings, accumulation
+        self.settings, self._accumulation = settings, accumulation
         mesh = scaled(
             gathered(clustered(read_animal(assets, "rabbit.ply", "rabbit.mesh"), CELL)), SIZE
         )
         self._lowest = float(mesh.vertices[:, 1].min())
         self._list = DisplayList(lambda: draw_mesh(mesh))
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing built depends on them."""
-        self._settings = settings
-        return True
 
     def draw_plain(self, frame: Frame) -> None:
         """Draw all rabbits sharp."""
@@ -73,7 +69,7 @@ class DepthOfField:
 
     def draw(self, frame: Frame) -> None:
         """Draw the rabbits as the lens shows them."""
-        values, accumulation = self._settings.exhibits, self._accumulation
+        values, accumulation = self.settings.exhibits, self._accumulation
         count, z = values.focus_samples, plan.ALCOVES[FOCUS]
         middle = np.array([[MIDDLE, TOP + SIZE, z]])
         focus = -float(frame.depth(middle)[0])

@@ -21,6 +21,7 @@ from landscape.geometry.mesh import scaled
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
+from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import LINES, MIDDLE, TOP
 from landscape.hall.settings import Settings
 
@@ -50,23 +51,18 @@ def draw_lines(send: Callable[[], None], offset: bool) -> None:
     gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
 
-class HiddenLines:
+class HiddenLines(Exhibit):
     """The engraved dragon before its sheet of paper."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Compile dragon and paper."""
-        self._settings = settings
+        self.settings = settings
         unit = read_animal(assets, "dragon.ply", "dragon.mesh")
         mesh, simple = (scaled(clustered(unit, cell), SIZE) for cell in (CELL, FAR_CELL))
         self._lowest = float(mesh.vertices[:, 1].min())
         self._dragon = DisplayList(lambda: draw_mesh(mesh))
         self._far = DisplayList(lambda: draw_mesh(simple))
         self._sheet = DisplayList(send_sheet)
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing built depends on them."""
-        self._settings = settings
-        return True
 
     def draw_plain(self, frame: Frame) -> None:
         """Draw it from afar, or mirrored: as from near."""
@@ -81,7 +77,7 @@ class HiddenLines:
         with matrix():
             gl.glTranslatef(MIDDLE, TOP - self._lowest, plan.ALCOVES[LINES])
             gl.glRotatef(YAW + TURN * frame.kt, 0.0, 1.0, 0.0)
-            draw_lines(dragon.call, self._settings.exhibits.lines_offset)
+            draw_lines(dragon.call, self.settings.exhibits.lines_offset)
 
     def release(self) -> None:
         """Delete the lists; may be called twice."""

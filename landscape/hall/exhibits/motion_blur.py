@@ -23,6 +23,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
 from landscape.hall.exhibits import niche
 from landscape.hall.exhibits.accumulation import Accumulation
+from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import BLUR, MIDDLE, TOP, lit_by
 from landscape.hall.settings import Settings
 
@@ -64,12 +65,12 @@ def sail(angle_deg: float) -> tuple[Mesh, Mesh]:
     return found[0], found[1]
 
 
-class MotionBlur:
+class MotionBlur(Exhibit):
     """The windmill."""
 
     def __init__(self, settings: Settings, assets: Assets, accumulation: Accumulation | None):
         """Compile mill and sails; without ``accumulation`` they are drawn sharp."""
-        self._settings, self._accumulation = settings, accumulation
+        self.settings, self._accumulation = settings, accumulation
         self._place = MIDDLE - 0.012, TOP, plan.ALCOVES[BLUR]
 
         def send_mill() -> None:
@@ -87,11 +88,6 @@ class MotionBlur:
 
         self._mill, self._sails = DisplayList(send_mill), DisplayList(send_sails)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing built depends on them."""
-        self._settings = settings
-        return True
-
     def draw_plain(self, frame: Frame) -> None:
         """Draw the mill and its sails, sharp."""
         with lit_by(niche.lamp(BLUR)):
@@ -100,7 +96,7 @@ class MotionBlur:
 
     def draw(self, frame: Frame) -> None:
         """Draw the mill, and lay the mean of its sails over it."""
-        values, accumulation = self._settings.exhibits, self._accumulation
+        values, accumulation = self.settings.exhibits, self._accumulation
         count = values.blur_samples
         if accumulation is None or count == 1:
             self.draw_plain(frame)

@@ -35,6 +35,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
 from landscape.hall import plan
 from landscape.hall.exhibits import niche
+from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import MIDDLE, TOP, VOLUME, Stone, lit_by, pedestal_boxes, shiny
 from landscape.hall.exhibits.picture import part_of
 from landscape.hall.settings import Settings
@@ -89,12 +90,12 @@ def torch(kt: float) -> tuple[float, float, float]:
     return x, y + FLICKER * math.sin(0.53 * kt), z + FLICKER * sway
 
 
-class ShadowVolume:
+class ShadowVolume(Exhibit):
     """The knot, its torch and its shadow."""
 
     def __init__(self, settings: Settings, assets: Assets, stone: Stone) -> None:
         """Compile the knot; ``stone`` draws the alcove."""
-        self._settings, self._stone = settings, stone
+        self.settings, self._stone = settings, stone
         self._fire = Texture(read_image(assets.path("fire.png"), "RGBA"), repeat=False)
         self.place = MIDDLE, HEIGHT, plan.ALCOVES[VOLUME]
         self.knot = knot = trefoil()
@@ -102,11 +103,6 @@ class ShadowVolume:
         self._list = DisplayList(lambda: draw_mesh(knot))
         self._holder = DisplayList(send_holder)
         self._wrap = possible("exhibits.volume")
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing built depends on them."""
-        self._settings = settings
-        return True
 
     def draw_plain(self, frame: Frame) -> None:
         """Draw the knot without its shadow; the alcove is drawn already."""
@@ -136,7 +132,7 @@ class ShadowVolume:
             gl.glClear(gl.GL_STENCIL_BUFFER_BIT)
 
         self._draw_torch(frame, light)
-        if self._settings.exhibits.volume_shown:
+        if self.settings.exhibits.volume_shown:
             self._show_volume(frame.kt)
 
     def _send_knot(self, kt: float) -> None:
@@ -172,7 +168,7 @@ class ShadowVolume:
 
     def count(self, kt: float) -> None:
         """Count in the stencil buffer, from 0, how often each pixel's surface is in the shadow."""
-        values = self._settings.exhibits
+        values = self.settings.exhibits
         behind = values.volume_count == "zfail"
         caps = behind and values.volume_caps
         volumes = self.volumes(kt, caps)

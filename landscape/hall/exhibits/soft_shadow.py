@@ -28,6 +28,7 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
 from landscape.hall.exhibits.accumulation import Accumulation, disc
+from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import (
     INSET,
     MIDDLE,
@@ -142,12 +143,12 @@ def armillary() -> Mesh:
     )
 
 
-class SoftShadow:
+class SoftShadow(Exhibit):
     """The armillary sphere, its lamp and its shadow."""
 
     def __init__(self, settings: Settings, assets: Assets, accumulation: Accumulation | None):
         """Compile the model; without ``accumulation`` it has no shadow."""
-        self._settings, self._accumulation = settings, accumulation
+        self.settings, self._accumulation = settings, accumulation
         mesh, bulb = armillary(), globe(settings.exhibits.soft_lamp)
         iron = holder(settings.exhibits.soft_lamp)
         self._place = MIDDLE, TOP, plan.ALCOVES[SOFT]
@@ -158,14 +159,9 @@ class SoftShadow:
         self.textures = [Texture(blank, repeat=False, mipmaps=False) for _ in receivers()]
         self._made_for: tuple[object, ...] = ()
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; the lamp's size must be the same."""
-        self._settings = settings
-        return True
-
     def points(self) -> np.ndarray:
         """Return points of the lamp, (n, 3), on a disc that faces the model."""
-        values = self._settings.exhibits
+        values = self.settings.exhibits
         centre = np.array(lamp(SOFT))
         towards = np.array(self._place) + (0.0, HEIGHT - TOP, 0.0) - centre
         across = np.cross(towards, (0.0, 1.0, 0.0))
@@ -175,7 +171,7 @@ class SoftShadow:
 
     def _make(self, accumulation: Accumulation) -> None:
         """Make the textures of both receivers."""
-        points = self.points() if self._settings.exhibits.soft_samples > 1 else [lamp(SOFT)]
+        points = self.points() if self.settings.exhibits.soft_samples > 1 else [lamp(SOFT)]
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT
 
         def draw(number: int) -> None:
@@ -212,7 +208,7 @@ class SoftShadow:
 
     def draw(self, frame: Frame) -> None:
         """Draw the shadow on the stone, the model and the lamp."""
-        values = self._settings.exhibits
+        values = self.settings.exhibits
         if self._accumulation is not None:
             wanted = values.soft_samples, values.deep
             if wanted != self._made_for:

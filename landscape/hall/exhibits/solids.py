@@ -21,6 +21,7 @@ import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, matrix
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh, revolve, vertex_normals
@@ -79,12 +80,12 @@ def beam(inside_out: bool) -> Mesh:
     return Mesh(vertices, vertex_normals(vertices, joined), joined)
 
 
-class Solids:
+class Solids(Element[Settings]):
     """The sphere, the beam and what is made of them."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Compile the solids."""
-        self._settings = settings
+        self.settings = settings
         ball = sphere()
         bar = beam(False)
         hole = beam(True)
@@ -92,14 +93,9 @@ class Solids:
         self._bar = DisplayList(lambda: draw_mesh(bar))
         self._hole = DisplayList(lambda: draw_mesh(hole))
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; nothing built depends on them."""
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Draw the result, while the depth buffer is empty."""
-        values, z = self._settings.exhibits, plan.ALCOVES[SOLIDS]
+        values, z = self.settings.exhibits, plan.ALCOVES[SOLIDS]
         reach = max(BEAM) + RADIUS
         sign = -1.0 if frame.mirrored else 1.0
         heights = sorted((sign * (HEIGHT - reach), sign * (HEIGHT + reach)))

@@ -140,7 +140,7 @@ def light_around(settings: Settings, assets: Assets) -> np.ndarray:
     return np.rint(np.clip(around + glare, 0.0, 1.0) * 255).astype(np.uint8)
 
 
-class ShiningSword(Sword):
+class ShiningSword(Sword[Settings]):
     """The sword with light on its steel."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
@@ -182,7 +182,7 @@ class ShiningSword(Sword):
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
             gl.glEnable(gl.GL_NORMALIZE)
-            gl.glColor3f(*(self._settings.overlay.sheen,) * 3)
+            gl.glColor3f(*(self.settings.overlay.sheen,) * 3)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._masks[frame.stroke].bind()
             gl.glActiveTexture(gl.GL_TEXTURE1)

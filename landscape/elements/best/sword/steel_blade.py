@@ -337,7 +337,7 @@ class SteelBlade(ShiningSword):
                     self._blade.call()
 
             gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glColor3f(*painted(self._settings.sun, self._facing(frame)))
+            gl.glColor3f(*painted(self.settings.sun, self._facing(frame)))
             self._hilt.bind()
             self._covered.call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
@@ -350,7 +350,7 @@ class SteelBlade(ShiningSword):
                 each.release()
 
 
-def sword_class(settings: Settings) -> type[Sword]:
+def sword_class(settings: Settings) -> type[Sword[Settings]]:
     """Return the class whose sword these settings describe."""
     if settings.overlay.blade:
         return SteelBlade
