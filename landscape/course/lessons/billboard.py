@@ -15,6 +15,7 @@ Keys: Space changes how the quads are turned; Up and Down raise and lower the ey
 
 import math
 import random
+import sys
 from pathlib import Path
 
 import glfw
@@ -22,15 +23,28 @@ from OpenGL.GL import *
 from PIL import Image
 from text import _, write
 
+FIXED, TURNED, CLEARED = range(3)
 LABELS = "fixed", "turned by the angle to the eye", "rotation cleared"
-way, pitch = 1, 15  # degrees that the camera looks down
-chance = random.Random(4)
-TREES = []  # x, z, height
-while len(TREES) < 30:
-    angle, radius = chance.uniform(0, 2 * math.pi), 7 * math.sqrt(chance.random())
-    tree = radius * math.cos(angle), radius * math.sin(angle), chance.uniform(1.6, 2.8)
-    if all(math.dist(tree[:2], other[:2]) > 1.4 for other in TREES):
-        TREES.append(tree)
+way = TURNED
+pitch = 15  # degrees that the camera looks down
+
+
+def plant_trees():
+    """Return x, z and height of thirty trees at random, none too close to another."""
+    chance = random.Random(4)
+    trees = []
+    while len(trees) < 30:
+        angle = chance.uniform(0, 2 * math.pi)
+        radius = 7 * math.sqrt(chance.random())
+        x = radius * math.cos(angle)
+        z = radius * math.sin(angle)
+        height = chance.uniform(1.6, 2.8)
+        if all(math.dist((x, z), other[:2]) > 1.4 for other in trees):
+            trees.append((x, z, height))
+    return trees
+
+
+TREES = plant_trees()
 
 
 def load_tree():
@@ -46,9 +60,9 @@ def load_tree():
 def draw_tree(x, z, height, eye):
     glPushMatrix()
     glTranslatef(x, 0, z)
-    if way == 1:
+    if way == TURNED:
         glRotatef(math.degrees(math.atan2(eye[0] - x, eye[2] - z)), 0, 1, 0)
-    if way == 2:
+    elif way == CLEARED:
         matrix = glGetFloatv(GL_MODELVIEW_MATRIX)
         matrix[:3, :3] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))  # the tree's place stays, in row 3
         glLoadMatrixf(matrix)
@@ -70,45 +84,65 @@ def draw_ground():
     glEnd()
 
 
+def draw_trees(eye):
+    glEnable(GL_TEXTURE_2D)
+    glEnable(GL_ALPHA_TEST)
+    glColor3f(1, 1, 1)
+    for x, z, height in TREES:
+        draw_tree(x, z, height, eye)
+    glDisable(GL_ALPHA_TEST)
+    glDisable(GL_TEXTURE_2D)
+
+
+def look(width, height):
+    """Set the matrices, and return the eye's place among the trees."""
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 0.6, 60)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, -1, -13)
+    glRotatef(pitch, 1, 0, 0)
+    glRotatef(15 * glfw.get_time() + 55, 0, 1, 0)
+    camera = glGetFloatv(GL_MODELVIEW_MATRIX)
+    return -camera[:3, :3] @ camera[3, :3]
+
+
 def on_key(window, key, scancode, action, mods):
     global way, pitch
-    if action != glfw.RELEASE:
-        way = (way + (key == glfw.KEY_SPACE)) % 3
-        pitch = max(5, min(85, pitch + 10 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))))
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_SPACE:
+        way = (way + 1) % len(LABELS)
+    elif key == glfw.KEY_UP:
+        pitch = min(85, pitch + 10)
+    elif key == glfw.KEY_DOWN:
+        pitch = max(5, pitch - 10)
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Billboard"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.7, 0.82, 0.92, 1)
     glEnable(GL_DEPTH_TEST)
     glAlphaFunc(GL_GREATER, 0.5)
     load_tree()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 0.6, 60)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, -1, -13)
-        glRotatef(pitch, 1, 0, 0)
-        glRotatef(15 * glfw.get_time() + 55, 0, 1, 0)
-        camera = glGetFloatv(GL_MODELVIEW_MATRIX)
-        eye = -camera[:3, :3] @ camera[3, :3]  # its place among the trees
+        eye = look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_ground()
-        glEnable(GL_TEXTURE_2D)
-        glEnable(GL_ALPHA_TEST)
-        glColor3f(1, 1, 1)
-        for tree in TREES:
-            draw_tree(*tree, eye)
-        glDisable(GL_ALPHA_TEST)
-        glDisable(GL_TEXTURE_2D)
+        draw_trees(eye)
         write(16, 16, LABELS[way])
         glfw.swap_buffers(window)
         glfw.poll_events()

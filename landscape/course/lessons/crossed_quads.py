@@ -13,6 +13,7 @@ Keys: Space leaves out the second quad; T switches the alpha test; Up and Down m
 # keys: SPACE T UP DOWN
 
 import math
+import sys
 from pathlib import Path
 
 import glfw
@@ -20,10 +21,11 @@ from OpenGL.GL import *
 from PIL import Image
 from text import _, write
 
-elevation = 20  # degrees of the camera above the horizon
-crossed = alpha_test = True
 # x, z, size and rotation in degrees of each fern
 FERNS = (0, 0, 2.6, 30), (2, 0, 2, 75), (0.6, 1.8, 1.8, 10), (-1.5, 1, 2, 55), (-1, -1.7, 2.2, 20)
+elevation = 20  # degrees of the camera above the horizon
+crossed = True
+alpha_test = True
 
 
 def load_texture():
@@ -35,14 +37,19 @@ def load_texture():
 
 
 def draw_band(*circles):
-    """Draw the band between two circles (radius, y, color) around the y axis."""
+    """Draw the band between two circles (radius, y, colour) around the y axis."""
     glBegin(GL_QUAD_STRIP)
-    for angle in range(0, 361, 6):
-        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    for degrees in range(0, 361, 6):
+        angle = math.radians(degrees)
         for radius, y, color in circles:
             glColor3f(*color)
-            glVertex3f(radius * c, y, radius * s)
+            glVertex3f(radius * math.cos(angle), y, radius * math.sin(angle))
     glEnd()
+
+
+def draw_bowl():
+    draw_band((0, 0, (0.12, 0.1, 0.08)), (3, 0, (0.4, 0.33, 0.25)))  # soil
+    draw_band((3, 0, (0.85, 0.35, 0.2)), (2.8, -0.6, (0.4, 0.15, 0.1)))
 
 
 def draw_fern(x, z, size, rotation):
@@ -52,59 +59,78 @@ def draw_fern(x, z, size, rotation):
     glTranslatef(x, 0, z)
     glRotatef(rotation, 0, 1, 0)
     glBegin(GL_QUADS)
-    for along_x, along_z in ((1, 0), (0, 1)) if crossed else ((1, 0),):
+    directions = ((1, 0), (0, 1)) if crossed else ((1, 0),)
+    for along_x, along_z in directions:
         # t is 0 in the first row of the image, which is its top.
         for s, t in ((0, 1), (1, 1), (1, 0), (0, 0)):
-            side, up = (s - 0.5) * size, (1 - t) * size
+            side = (s - 0.5) * size
+            up = (1 - t) * size
             glTexCoord2f(s, t)
             glVertex3f(side * along_x + sway * (1 - t), up, side * along_z)
     glEnd()
     glPopMatrix()
 
 
+def draw_ferns():
+    """Draw all ferns; the alpha test leaves out their transparent texels."""
+    glEnable(GL_TEXTURE_2D)
+    if alpha_test:
+        glEnable(GL_ALPHA_TEST)
+    glColor3f(1, 1, 1)
+    for fern in FERNS:
+        draw_fern(*fern)
+    glDisable(GL_ALPHA_TEST)
+    glDisable(GL_TEXTURE_2D)
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, -0.5, -13)
+    glRotatef(elevation, 1, 0, 0)
+    glRotatef(20 + 15 * glfw.get_time(), 0, 1, 0)
+
+
 def on_key(window, key, scancode, action, mods):
     global elevation, crossed, alpha_test
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN) and action != glfw.RELEASE:
-        elevation = max(0, min(90, elevation + (10 if key == glfw.KEY_UP else -10)))
-    if key == glfw.KEY_SPACE and action == glfw.PRESS:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_UP:
+        elevation = min(90, elevation + 10)
+    elif key == glfw.KEY_DOWN:
+        elevation = max(0, elevation - 10)
+    elif key == glfw.KEY_SPACE:
         crossed = not crossed
-    if key == glfw.KEY_T and action == glfw.PRESS:
+    elif key == glfw.KEY_T:
         alpha_test = not alpha_test
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Crossed quads"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     load_texture()
     glEnable(GL_DEPTH_TEST)
     glAlphaFunc(GL_GREATER, 0.5)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, -0.5, -13)
-        glRotatef(elevation, 1, 0, 0)
-        glRotatef(20 + 15 * glfw.get_time(), 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-        draw_band((0, 0, (0.12, 0.1, 0.08)), (3, 0, (0.4, 0.33, 0.25)))  # soil
-        draw_band((3, 0, (0.85, 0.35, 0.2)), (2.8, -0.6, (0.4, 0.15, 0.1)))  # its bowl
-        glEnable(GL_TEXTURE_2D)
-        if alpha_test:
-            glEnable(GL_ALPHA_TEST)
-        glColor3f(1, 1, 1)
-        for fern in FERNS:
-            draw_fern(*fern)
-        glDisable(GL_ALPHA_TEST)
-        glDisable(GL_TEXTURE_2D)
+        draw_bowl()
+        draw_ferns()
         write(16, 40, "quads per fern: {count}", count=2 if crossed else 1)
         write(16, 16, "alpha test on" if alpha_test else "alpha test off")
         glfw.swap_buffers(window)

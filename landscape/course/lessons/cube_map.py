@@ -12,6 +12,7 @@ Keys: Left and Right turn; Space tints the faces, O puts them in as they were ta
 # picture: frame 1
 # keys: LEFT RIGHT SPACE O
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -31,22 +32,29 @@ as_taken = False
 
 
 def load_faces():
-    image = np.asarray(Image.open(DATA / "sky.jpg"))
-    for number, (place, tint) in enumerate(zip(PLACES, TINTS, strict=True)):
-        face = np.split(image, 6, axis=1)[place]
+    pictures = np.split(np.asarray(Image.open(DATA / "sky.jpg")), 6, axis=1)
+    for number, place in enumerate(PLACES):
+        face = pictures[place]
         if not as_taken:  # left and right swapped, for +y and -y instead top and bottom
             face = face[::-1] if number in (2, 3) else face[:, ::-1]
-        face = np.uint8(face * 0.5 + 120 * np.array(tint)) if tinted else face
-        data = *face.shape[:2], 0, GL_RGB, GL_UNSIGNED_BYTE, face.tobytes()
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + number, 0, GL_RGB, *data)
+        if tinted:
+            face = np.uint8(face * 0.5 + 120 * np.array(TINTS[number]))
+        load_face(GL_TEXTURE_CUBE_MAP_POSITIVE_X + number, face)
 
 
-def load_rabbit():  # sets the arrays of vertices and normals, and returns the triangles
+def load_face(target, face):
+    height, width, _channels = face.shape
+    data = GL_RGB, GL_UNSIGNED_BYTE, face.tobytes()
+    glTexImage2D(target, 0, GL_RGB, width, height, 0, *data)
+
+
+def load_rabbit():
+    """Set the arrays of vertices and normals, and return the triangles."""
     vertices = np.loadtxt(DATA / "rabbit.ply", np.float32, skiprows=10, max_rows=752)
     triangles = np.loadtxt(DATA / "rabbit.ply", np.uint32, skiprows=762, usecols=(1, 2, 3))
     a, b, c = vertices[triangles].swapaxes(0, 1)
     normals = np.zeros_like(vertices)
-    np.add.at(normals, triangles, np.cross(b - a, c - a)[:, None])  # at each of its corners
+    np.add.at(normals, triangles, np.cross(b - a, c - a)[:, np.newaxis])  # at each of its corners
     glVertexPointer(3, GL_FLOAT, 0, vertices)
     glNormalPointer(GL_FLOAT, 0, normals)
     return triangles
@@ -62,18 +70,60 @@ def draw_box():
     glEnd()
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 2, width / height / 2, -0.55, 0.45, 0.7, 20)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glRotatef(turn, 0, 1, 0)  # the sky is turned, but not moved
+
+
+def draw_rabbit(triangles):
+    """Draw the rabbit; its texture coordinates are the directions that it mirrors."""
+    glLoadIdentity()
+    glTranslatef(0, -0.1, -2.2)
+    glRotatef(turn, 0, 1, 0)
+    glEnable(GL_DEPTH_TEST)
+    glEnable(GL_NORMALIZE)
+    for n in range(3):  # S, T, R
+        glTexGeni(GL_S + n, GL_TEXTURE_GEN_MODE, GL_REFLECTION_MAP)
+        glEnable(GL_TEXTURE_GEN_S + n)
+
+    glMatrixMode(GL_TEXTURE)
+    glRotatef(-turn, 0, 1, 0)  # from eye to world coordinates
+    glDrawElements(GL_TRIANGLES, triangles.size, GL_UNSIGNED_INT, triangles)
+    glLoadIdentity()
+
+
 def on_key(window, key, scancode, action, mods):
     global turn, tinted, as_taken
-    if action != glfw.RELEASE:
-        turn += 15 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-        tinted, as_taken = tinted ^ (key == glfw.KEY_SPACE), as_taken ^ (key == glfw.KEY_O)
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turn -= 15
+    elif key == glfw.KEY_RIGHT:
+        turn += 15
+    elif key == glfw.KEY_SPACE:
+        tinted = not tinted
         load_faces()
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    elif key == glfw.KEY_O:
+        as_taken = not as_taken
+        load_faces()
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Cube map"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for name in (GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T):
@@ -83,34 +133,18 @@ def main():
     triangles = load_rabbit()
     for array in (GL_VERTEX_ARRAY, GL_NORMAL_ARRAY):
         glEnableClientState(array)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 2, width / height / 2, -0.55, 0.45, 0.7, 20)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glRotatef(turn, 0, 1, 0)  # the sky is turned, but not moved
+        look(*glfw.get_framebuffer_size(window))
         glPushAttrib(GL_ENABLE_BIT)
         glEnable(GL_TEXTURE_CUBE_MAP)
         draw_box()
-        glLoadIdentity()
-        glTranslatef(0, -0.1, -2.2)
-        glRotatef(turn, 0, 1, 0)
-        glEnable(GL_DEPTH_TEST)
-        glEnable(GL_NORMALIZE)
-        for n in range(3):  # S, T, R
-            glTexGeni(GL_S + n, GL_TEXTURE_GEN_MODE, GL_REFLECTION_MAP)
-            glEnable(GL_TEXTURE_GEN_S + n)
-        glMatrixMode(GL_TEXTURE)
-        glRotatef(-turn, 0, 1, 0)  # from eye to world coordinates
-        glDrawElements(GL_TRIANGLES, triangles.size, GL_UNSIGNED_INT, triangles)
-        glLoadIdentity()
+        draw_rabbit(triangles)
         glPopAttrib()
-        for n in range(6 if tinted else 0):
-            write(16 + 40 * n, 40, LABELS[n], TINTS[n])
+
+        if tinted:
+            for n in range(len(LABELS)):
+                write(16 + 40 * n, 40, LABELS[n], TINTS[n])
         write(16, 16, "pictures as they were taken" if as_taken else "mirrored, as OpenGL expects")
         glfw.swap_buffers(window)
         glfw.poll_events()

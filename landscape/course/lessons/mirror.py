@@ -13,18 +13,27 @@ Keys: F leaves out glFrontFace, C the clip plane, S the stencil test.
 # loop: 240 frames
 # keys: F C S
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 from text import _, write
 
-LIGHT, COLOR = (-2, 5, 3, 0), (0.95, 0.45, 0.25)
-front_face = clip_plane = stencil = True
+LIGHT = (-2, 5, 3, 0)
+CORAL = (0.95, 0.45, 0.25)
+CREAM = (0.95, 0.9, 0.8, 0.5)
+TEAL = (0.15, 0.35, 0.4, 0.5)
+TURNS = 193  # vertices along the knot
+AROUND = 25  # and around its tube; the last is where the first is
+front_face = True
+clip_plane = True
+stencil = True
 
 
 def make_knot():
     """Make a tube along a curve that winds around a ring; return the indices of its strip."""
-    turn, around = np.meshgrid(np.linspace(0, 2 * np.pi, 193), np.linspace(0, 2 * np.pi, 25))
+    turn, around = np.meshgrid(np.linspace(0, 2 * np.pi, TURNS), np.linspace(0, 2 * np.pi, AROUND))
     x = np.cos(2 * turn)
     y = np.sin(2 * turn)
     z = 0 * turn
@@ -34,7 +43,15 @@ def make_knot():
     normals = np.cos(around) * outward + np.sin(around) * across / np.linalg.norm(across, axis=0)
     glVertexPointer(3, GL_FLOAT, 0, (center + 0.27 * normals).T.astype(np.float32))
     glNormalPointer(GL_FLOAT, 0, normals.T.astype(np.float32))
-    return np.arange(192 * 25, dtype=np.uint32)[:, None] + np.array((25, 0), np.uint32)
+
+    # The strip goes back and forth between a circle of the tube and the next one.
+    first = np.arange((TURNS - 1) * AROUND, dtype=np.uint32)
+    return np.stack((first + AROUND, first), 1).astype(np.uint32)
+
+
+def draw_knot(strip):
+    glColor3f(*CORAL)
+    glDrawElements(GL_TRIANGLE_STRIP, strip.size, GL_UNSIGNED_INT, strip)
 
 
 def draw_floor():
@@ -43,45 +60,71 @@ def draw_floor():
     glNormal3f(0, 1, 0)
     for x in range(-3, 3):
         for z in range(-3, 3):
-            glColor4f(*((0.95, 0.9, 0.8, 0.5) if (x + z) % 2 else (0.15, 0.35, 0.4, 0.5)))
+            glColor4f(*(CREAM if (x + z) % 2 else TEAL))
             for corner_x, corner_z in ((x, z), (x, z + 1), (x + 1, z + 1), (x + 1, z)):
                 glVertex3f(corner_x, 0, corner_z)
     glEnd()
 
 
-def draw_image(strip):
-    """Draw the mirrored knot, where the floor will be blended over it."""
-    glEnable(GL_STENCIL_TEST)
-    glStencilFunc(GL_NEVER, 1, 1)  # the floor is not drawn, but marks its pixels with 1
+def mark_floor():
+    """Set the stencil buffer to 1 where the floor is, and draw nothing."""
+    glStencilFunc(GL_NEVER, 1, 1)  # always fails, and so replaces
     glStencilOp(GL_REPLACE, GL_KEEP, GL_KEEP)
     draw_floor()
+
+
+def draw_image(strip):
+    """Draw the mirrored knot, where the floor will be blended over it."""
     glStencilFunc(GL_EQUAL if stencil else GL_ALWAYS, 1, 1)
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP)
     glScalef(1, -1, 1)
     glLightfv(GL_LIGHT0, GL_POSITION, LIGHT)  # mirrored, too
     glFrontFace(GL_CW if front_face else GL_CCW)
     glClipPlane(GL_CLIP_PLANE0, (0, 1, 0, 0))
-    (glEnable if clip_plane else glDisable)(GL_CLIP_PLANE0)
-    glColor3f(*COLOR)
-    glDrawElements(GL_TRIANGLE_STRIP, strip.size, GL_UNSIGNED_INT, strip)
+    if clip_plane:
+        glEnable(GL_CLIP_PLANE0)
+    else:
+        glDisable(GL_CLIP_PLANE0)
+    draw_knot(strip)
     glDisable(GL_CLIP_PLANE0)
     glFrontFace(GL_CCW)
     glScalef(1, -1, 1)  # mirrored twice is not mirrored
-    glDisable(GL_STENCIL_TEST)
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 30)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, -0.1, -13.5)
+    glRotatef(20, 1, 0, 0)
+    glRotatef(20 * glfw.get_time(), 0, 1, 0)
 
 
 def on_key(window, key, scancode, action, mods):
     global front_face, clip_plane, stencil
-    if action == glfw.PRESS:
-        front_face ^= key == glfw.KEY_F
-        clip_plane ^= key == glfw.KEY_C
-        stencil ^= key == glfw.KEY_S
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    if action != glfw.PRESS:
+        return
+    if key == glfw.KEY_F:
+        front_face = not front_face
+    elif key == glfw.KEY_C:
+        clip_plane = not clip_plane
+    elif key == glfw.KEY_S:
+        stencil = not stencil
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Mirror"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -91,23 +134,20 @@ def main():
     for array in (GL_VERTEX_ARRAY, GL_NORMAL_ARRAY):
         glEnableClientState(array)
     strip = make_knot()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 30)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, -0.1, -13.5)
-        glRotatef(20, 1, 0, 0)
-        glRotatef(20 * glfw.get_time(), 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
+
+        # First the image, then the floor over it, then the knot itself.
+        glEnable(GL_STENCIL_TEST)
+        mark_floor()
         draw_image(strip)
+        glDisable(GL_STENCIL_TEST)
         glLightfv(GL_LIGHT0, GL_POSITION, LIGHT)
         draw_floor()
-        glColor3f(*COLOR)
-        glDrawElements(GL_TRIANGLE_STRIP, strip.size, GL_UNSIGNED_INT, strip)
+        draw_knot(strip)
+
         write(16, 64, "glFrontFace on" if front_face else "glFrontFace off")
         write(16, 40, "clip plane on" if clip_plane else "clip plane off")
         write(16, 16, "stencil test on" if stencil else "stencil test off")

@@ -14,6 +14,7 @@ Keys: Space switches between faces and vertices; N leaves out normalizing; L hid
 # keys: SPACE N L
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -26,7 +27,9 @@ lines = True
 
 
 def point(m, n):
-    angle, turn = m * math.tau / ROUND, n * math.tau / ACROSS
+    """Return the vertex number m around the ring, and n around its tube."""
+    angle = m * math.tau / ROUND
+    turn = n * math.tau / ACROSS
     radius = 1.5 + 0.6 * math.cos(turn)
     return radius * math.cos(angle), radius * math.sin(angle), 0.6 * math.sin(turn)
 
@@ -35,12 +38,15 @@ def normalized(*vector):
     return [part / math.hypot(*vector) for part in vector]
 
 
+def difference(a, b):
+    return [q - p for p, q in zip(a, b, strict=True)]
+
+
 def face_normal(m, n):
-    """Return the cross product of two edges, of length 1."""
+    """Return the normal of a face: the normalized cross product of two of its sides."""
     a = point(m, n)
-    b = point(m + 1, n)
-    c = point(m, n + 1)
-    (ux, uy, uz), (vx, vy, vz) = ([q - p for p, q in zip(a, end, strict=True)] for end in (b, c))
+    ux, uy, uz = difference(a, point(m + 1, n))
+    vx, vy, vz = difference(a, point(m, n + 1))
     return normalized(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx)
 
 
@@ -64,6 +70,7 @@ def draw_ring():
 
 
 def draw_lines():
+    """Draw the normals, from the vertices or from the middles of the faces."""
     glDisable(GL_LIGHTING)
     glColor3f(0.95, 0.62, 0.35)
     glBegin(GL_LINES)
@@ -76,38 +83,51 @@ def draw_lines():
     glEnable(GL_LIGHTING)
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glLineWidth(height / 320)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, (-0.6, 0.8, 0.8, 0))
+    glTranslatef(0, 0.2, -6.6)
+    glRotatef(-50, 1, 0, 0)
+    glRotatef(60 * glfw.get_time(), 0, 0, 1)
+
+
 def on_key(window, key, scancode, action, mods):
     global lines, normalizing, smooth
-    if action == glfw.PRESS:
-        smooth ^= key == glfw.KEY_SPACE
-        normalizing ^= key == glfw.KEY_N
-        lines ^= key == glfw.KEY_L
-    if key == glfw.KEY_ESCAPE:
+    if action != glfw.PRESS:
+        return
+    if key == glfw.KEY_SPACE:
+        smooth = not smooth
+    elif key == glfw.KEY_N:
+        normalizing = not normalizing
+    elif key == glfw.KEY_L:
+        lines = not lines
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Normals"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
         glEnable(capability)
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.25, 0.6, 0.6, 1))
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glLineWidth(height / 320)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glLightfv(GL_LIGHT0, GL_POSITION, (-0.6, 0.8, 0.8, 0))
-        glTranslatef(0, 0.2, -6.6)
-        glRotatef(-50, 1, 0, 0)
-        glRotatef(60 * glfw.get_time(), 0, 0, 1)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_ring()
         if lines:

@@ -13,6 +13,7 @@ Keys: Up and Down walk, Left and Right turn; F zooms; Space switches the sword's
 # keys: UP DOWN LEFT RIGHT F SPACE
 
 import math
+import sys
 from pathlib import Path
 
 import glfw
@@ -20,7 +21,13 @@ from OpenGL.GL import *
 from PIL import Image
 from text import _, write
 
-x, z, turn, steps, zoom, depth_test = 0.2, -1.2, 25, 0, 1, False  # turn: degrees
+# The viewer: place, and degrees to the right.
+x = 0.2
+z = -1.2
+turn = 25
+steps = 0  # walked so far: the view bobs at each
+zoom = 1
+depth_test = False
 
 
 def make_texture(name):
@@ -57,58 +64,81 @@ def draw_sword(sword):
     glEnable(GL_BLEND)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
     glColor3f(1, 1, 1)
-    near, far = -0.5, -1.4  # the hand is near, the tip far
+    near = -0.5  # the hand
+    far = -1.4  # the tip
     draw_quad(1, 1, (0, -0.4, near), (0.5, -0.4, near), (0.5, 0.7, far), (0, 0.7, far))
     glDisable(GL_BLEND)
 
 
+def set_projection(half, width, height):
+    """Set a projection, and the identity as modelview; half: of the near plane's height."""
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-half * width / height, half * width / height, -half, half, 0.1, 20)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
+def walk(distance):
+    global x, z, steps
+    x = max(-1.6, min(1.6, x + distance * math.sin(math.radians(turn))))
+    z = max(-1.6, min(1.6, z - distance * math.cos(math.radians(turn))))
+    steps += 1
+
+
 def on_key(window, key, scancode, action, mods):
-    global x, z, turn, steps, zoom, depth_test
+    global turn, zoom, depth_test
     if action == glfw.RELEASE:
         return
-    turn += 5 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        step = 0.1 if key == glfw.KEY_UP else -0.1
-        x = max(-1.6, min(1.6, x + step * math.sin(math.radians(turn))))
-        z = max(-1.6, min(1.6, z - step * math.cos(math.radians(turn))))
-        steps += 1
-    zoom = 3 - zoom if key == glfw.KEY_F else zoom
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        turn -= 5
+    elif key == glfw.KEY_RIGHT:
+        turn += 5
+    elif key == glfw.KEY_UP:
+        walk(0.1)
+    elif key == glfw.KEY_DOWN:
+        walk(-0.1)
+    elif key == glfw.KEY_F:
+        zoom = 2 if zoom == 1 else 1
+    elif key == glfw.KEY_SPACE:
         depth_test = not depth_test
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Overlays"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.3, 0.45, 0.6, 1)
-    bricks, sword = make_texture("brick.png"), make_texture("sword.png")
+    bricks = make_texture("brick.png")
+    sword = make_texture("sword.png")
     glEnable(GL_TEXTURE_2D)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        half = 0.05 / zoom
-        glFrustum(-half * width / height, half * width / height, -half, half, 0.1, 20)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
+
+        # The yard: seen from the viewer's place, and zoomed.
+        set_projection(0.05 / zoom, width, height)
         glRotatef(turn, 0, 1, 0)
         glTranslatef(-x, 0.02 * math.cos(steps), -z)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glEnable(GL_DEPTH_TEST)
         draw_yard(bricks)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-0.05 * width / height, 0.05 * width / height, -0.05, 0.05, 0.1, 20)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
+
+        # The sword: where the hand is, never zoomed, and in front of everything.
+        set_projection(0.05, width, height)
         if not depth_test:
             glDisable(GL_DEPTH_TEST)
         draw_sword(sword)
+
         write(16, 16, "depth test on" if depth_test else "depth test off", (0, 0, 0))
         glfw.swap_buffers(window)
         glfw.poll_events()
