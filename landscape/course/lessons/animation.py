@@ -14,6 +14,7 @@ Keys: Space makes the computer slow: each frame takes a tenth of a second longer
 # programs: idle_color
 
 import math
+import sys
 import time
 
 import glfw
@@ -55,11 +56,17 @@ def on_key(window, key, scancode, action, mods):
 
 def main():
     global frames
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Animation"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.swap_interval(1)  # one frame for each picture of the screen: usually 60 a second
     glfw.set_key_callback(window, on_key)
+
     while not glfw.window_should_close(window):
         draw()
         frames += 1
@@ -67,6 +74,7 @@ def main():
             time.sleep(0.1)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -13,6 +13,7 @@ Keys: Left and Right move the lamps; Space leaves out the constant term.
 # keys: LEFT RIGHT SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -75,8 +76,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Attenuation"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
@@ -84,6 +90,7 @@ def main():
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.95, 0.9, 0.8, 1))
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (0.06, 0.06, 0.06, 1))
     glClearColor(0.08, 0.1, 0.13, 1)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -96,6 +103,7 @@ def main():
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         for row in range(3):
             draw_row(row)
+
         write(16, 16, "constant term {kc}", kc=constant)
         glfw.swap_buffers(window)
         glfw.poll_events()

@@ -13,6 +13,7 @@ Keys: 1 sum, 2 product, 3 alpha; Space draws the panes in the opposite order.
 # keys: 1 2 SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -45,7 +46,8 @@ def draw_wall():
 
 
 def draw_pane(color, angle):
-    x, y = 0.62 * math.cos(math.radians(angle)), 0.62 * math.sin(math.radians(angle))
+    x = 0.62 * math.cos(math.radians(angle))
+    y = 0.62 * math.sin(math.radians(angle))
     glColor4f(*color, 0.6)
     glBegin(GL_TRIANGLE_FAN)
     for n in range(64):
@@ -56,7 +58,7 @@ def draw_pane(color, angle):
 
 def on_key(window, key, scancode, action, mods):
     global backward, chosen
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         chosen = key - glfw.KEY_1
     if key == glfw.KEY_SPACE and action == glfw.PRESS:
         backward = not backward
@@ -65,11 +67,17 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Blending"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -85,6 +93,7 @@ def main():
         for pane in reversed(PANES) if backward else PANES:
             draw_pane(*pane)
         glDisable(GL_BLEND)
+
         write(16, 40, LABELS[chosen])
         write(16, 16, "opposite order" if backward else "red, amber, blue")
         glfw.swap_buffers(window)

@@ -13,12 +13,16 @@ Keys: Up and Down walk; Left and Right turn; Space sets the position after the v
 # keys: UP DOWN LEFT RIGHT SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
-x, z, heading = 0.5, 6.0, 0  # of the viewer; degrees, counter-clockwise seen from above
+# The viewer: place, and degrees counter-clockwise seen from above.
+x = 0.5
+z = 6.0
+heading = 0
 carried = True
 
 
@@ -27,7 +31,8 @@ def draw_column(x, z):
     for y in (-1.5, -0.9, -0.3, 0.3, 0.9, 1.5, 2.1):
         glBegin(GL_QUAD_STRIP)
         for n in range(17):
-            normal_x, normal_z = math.cos(n * math.pi / 8), -math.sin(n * math.pi / 8)
+            normal_x = math.cos(n * math.pi / 8)
+            normal_z = -math.sin(n * math.pi / 8)
             glNormal3f(normal_x, 0, normal_z)
             glVertex3f(x + 0.35 * normal_x, y + 0.6, z + 0.35 * normal_z)
             glVertex3f(x + 0.35 * normal_x, y, z + 0.35 * normal_z)
@@ -59,6 +64,15 @@ def set_light():
     glEnable(GL_LIGHTING)
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glPointSize(height / 53)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-0.06 * width / height, 0.06 * width / height, -0.06, 0.06, 0.1, 50)
+    glMatrixMode(GL_MODELVIEW)
+
+
 def on_key(window, key, scancode, action, mods):
     global carried, heading, x, z
     if action == glfw.RELEASE:
@@ -76,8 +90,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("A light in the camera's frame"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
@@ -86,14 +105,9 @@ def main():
     glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.05)
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (0.06, 0.07, 0.1, 1))
     glClearColor(0.03, 0.04, 0.06, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glPointSize(height / 53)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-0.06 * width / height, 0.06 * width / height, -0.06, 0.06, 0.1, 50)
-        glMatrixMode(GL_MODELVIEW)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glLoadIdentity()
         if carried:
@@ -103,6 +117,7 @@ def main():
         if not carried:
             set_light()
         draw_hall()
+
         write(16, 16, "light first, then the view" if carried else "view first, then the light")
         glfw.swap_buffers(window)
         glfw.poll_events()

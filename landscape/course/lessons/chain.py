@@ -13,6 +13,8 @@ opening angle (the projection); Space halves the viewport.
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN F SPACE
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -21,7 +23,9 @@ from text import _, write
 
 CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 VERTEX = np.array((1, 1, 1, 1))
-turn, lift, angle = 20, 2.5, 45  # degrees, units, degrees
+turn = 20  # degrees that the crate is turned
+lift = 2.5  # units that the camera is above the ground
+angle = 45  # degrees of the view
 small = False
 
 LABELS = (  # what the numbers are, and what takes them to the next ones
@@ -37,7 +41,8 @@ LABELS = (  # what the numbers are, and what takes them to the next ones
     "glViewport",
     "in the window: x, y and depth",
 )
-AMBER, CREAM = (0.95, 0.62, 0.35), (0.95, 0.9, 0.8)
+AMBER = (0.95, 0.62, 0.35)
+CREAM = (0.95, 0.9, 0.8)
 
 
 def draw_crate():
@@ -94,18 +99,30 @@ def draw_chain(points, width, height):
 
     for number, point in enumerate(points):
         y = top - 82 * number
-        glColor3f(0.2, 0.25, 0.32)
-        glRectf(10, y - 48, 346, y)
+        draw_box(y)
         write(16, y - 23, LABELS[2 * number], CREAM)
-        numbers = " ".join(f"{value + 0:.2f}" for value in point.round(2))
-        write(16, y - 44, "{numbers}", AMBER, numbers=numbers)
+        write_numbers(y, point)
         if number < len(points) - 1:
-            glColor3f(0.3, 0.6, 0.6)
-            glBegin(GL_TRIANGLES)
-            for dx, dy in ((-6, -54), (0, -78), (6, -54)):
-                glVertex2f(26 + dx, y + dy)
-            glEnd()
+            draw_arrow(y)
             write(42, y - 73, LABELS[2 * number + 1], (0.4, 0.8, 0.8))
+
+
+def draw_box(y):
+    glColor3f(0.2, 0.25, 0.32)
+    glRectf(10, y - 48, 346, y)
+
+
+def write_numbers(y, point):
+    numbers = " ".join(f"{value + 0:.2f}" for value in point.round(2))
+    write(16, y - 44, "{numbers}", AMBER, numbers=numbers)
+
+
+def draw_arrow(y):
+    glColor3f(0.3, 0.6, 0.6)
+    glBegin(GL_TRIANGLES)
+    for dx, dy in ((-6, -54), (0, -78), (6, -54)):
+        glVertex2f(26 + dx, y + dy)
+    glEnd()
 
 
 def draw(width, height):
@@ -114,6 +131,8 @@ def draw(width, height):
     if small:
         viewport[2:] = [viewport[2] // 2, viewport[3] // 2]
     glViewport(*viewport)
+
+    # The background of the viewport, then the crate and its corner.
     for mode in (GL_PROJECTION, GL_MODELVIEW):
         glMatrixMode(mode)
         glLoadIdentity()
@@ -131,6 +150,7 @@ def draw(width, height):
     points = follow(viewport)
     x, y = points[-1][:2]
     write(-80, 10, "{x:.0f}, {y:.0f}", AMBER, at=tuple(VERTEX[:3]), x=x, y=y)
+
     glViewport(0, 0, left, height)
     draw_chain(points, left, height)
 
@@ -139,27 +159,40 @@ def on_key(window, key, scancode, action, mods):
     global angle, lift, small, turn
     if action == glfw.RELEASE:
         return
-    turn += 10 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    lift += 0.5 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key == glfw.KEY_F:
+    if key == glfw.KEY_LEFT:
+        turn -= 10
+    elif key == glfw.KEY_RIGHT:
+        turn += 10
+    elif key == glfw.KEY_DOWN:
+        lift -= 0.5
+    elif key == glfw.KEY_UP:
+        lift += 0.5
+    elif key == glfw.KEY_F:
         angle = angle % 75 + 15
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         small = not small
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The chain"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -14,6 +14,7 @@ Keys: Left and Right turn the plane, Up and Down move it; Space calls glClipPlan
 # keys: LEFT RIGHT UP DOWN SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -27,7 +28,9 @@ SHELLS = (
     (0.48, (0.95, 0.62, 0.35)),
     (0.24, (1, 0.95, 0.8)),
 )
-angle, distance = 180, 0  # of the plane: degrees around the y axis; from the centre
+# The plane: degrees around the y axis, and its distance from the centre.
+angle = 180
+distance = 0
 before_camera = False
 
 
@@ -37,22 +40,30 @@ def make_planet():
     glNewList(planet, GL_COMPILE)
     for radius, color in SHELLS:
         for column in range(64):
-            glColor3f(*(channel * (1 if column // 4 % 2 else 0.87) for channel in color))
-            glBegin(GL_QUAD_STRIP)
-            for row in range(33):
-                y, ring = math.cos(row * math.pi / 32), math.sin(row * math.pi / 32)
-                for turn in ((column + 1) * math.pi / 32, column * math.pi / 32):
-                    normal = ring * math.sin(turn), y, ring * math.cos(turn)
-                    glNormal3f(*normal)
-                    glVertex3f(*(radius * part for part in normal))
-            glEnd()
+            shade = 1 if column // 4 % 2 else 0.87
+            glColor3f(*(shade * channel for channel in color))
+            draw_slice(radius, column)
     glEndList()
     return planet
 
 
+def draw_slice(radius, column):
+    """Draw one of 64 slices of a sphere, from pole to pole."""
+    glBegin(GL_QUAD_STRIP)
+    for row in range(33):
+        y = math.cos(row * math.pi / 32)
+        ring = math.sin(row * math.pi / 32)
+        for turn in ((column + 1) * math.pi / 32, column * math.pi / 32):
+            normal = ring * math.sin(turn), y, ring * math.cos(turn)
+            glNormal3f(*normal)
+            glVertex3f(*(radius * part for part in normal))
+    glEnd()
+
+
 def cut():
     """Give the plane to OpenGL, and draw a square in it."""
-    a, c = math.sin(math.radians(angle)), math.cos(math.radians(angle))
+    a = math.sin(math.radians(angle))
+    c = math.cos(math.radians(angle))
     glClipPlane(GL_CLIP_PLANE0, (a, 0, c, distance))
     glDisable(GL_LIGHTING)
     glColor3f(0.6, 0.62, 0.65)
@@ -64,23 +75,40 @@ def cut():
     write(16, 16, "{a:+.2f} x {b:+.2f} y {c:+.2f} z {d:+.2f} >= 0", a=a, b=0, c=c, d=distance)
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glLineWidth(height / 320)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 5, width / height / 5, -0.2, 0.2, 1, 10)
+
+
 def on_key(window, key, scancode, action, mods):
     global angle, distance, before_camera
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        angle += 10 if key == glfw.KEY_RIGHT else -10
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        distance += 0.1 if key == glfw.KEY_UP else -0.1
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        angle -= 10
+    elif key == glfw.KEY_RIGHT:
+        angle += 10
+    elif key == glfw.KEY_DOWN:
+        distance -= 0.1
+    elif key == glfw.KEY_UP:
+        distance += 0.1
+    elif key == glfw.KEY_SPACE:
         before_camera = not before_camera
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Clip plane"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -88,13 +116,9 @@ def main():
         glEnable(capability)
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE)  # the shells are lit from inside, too
     planet = make_planet()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glLineWidth(height / 320)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 5, width / height / 5, -0.2, 0.2, 1, 10)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glMatrixMode(GL_MODELVIEW)
         glLoadIdentity()

@@ -14,6 +14,7 @@ Keys: Space disables the depth test; N moves the near plane from 1 to 0.0001.
 # keys: SPACE N
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -69,13 +70,22 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Depth buffer"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
-        (glEnable if tested else glDisable)(GL_DEPTH_TEST)
+        if tested:
+            glEnable(GL_DEPTH_TEST)
+        else:
+            glDisable(GL_DEPTH_TEST)
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
         glMatrixMode(GL_PROJECTION)
@@ -89,6 +99,7 @@ def main():
         glRotatef(-20, 1, 0, 0)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_scene()
+
         write(16, 40, "depth test on" if tested else "depth test off")
         write(16, 16, "near plane {near}, far plane 100", near=near)
         glfw.swap_buffers(window)

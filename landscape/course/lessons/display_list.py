@@ -15,6 +15,7 @@ Keys: Left and Right choose a number of petals; Space compiles the list again.
 
 import math
 import random
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -22,7 +23,9 @@ from text import _, write
 
 COLORS = ((0.95, 0.9, 0.8), (0.95, 0.62, 0.35), (0.85, 0.35, 0.2), (0.6, 0.65, 0.95))
 petals = 6  # chosen
-recorded = compiled = flower = 0  # petals in the list; how often it was compiled; its name
+recorded = 0  # petals in the list
+compiled = 0  # how often it was compiled
+flower = 0  # its name
 
 
 def compile_flower():
@@ -31,23 +34,37 @@ def compile_flower():
     glNewList(flower, GL_COMPILE)
     draw_flower()
     glEndList()
-    recorded, compiled = petals, compiled + 1
+    recorded = petals
+    compiled += 1
 
 
 def draw_flower():
     """Draw a flower, 1 high. The petals have the current colour."""
+    draw_petals()
+    draw_middle()
+    draw_stem()
+
+
+def draw_petals():
     for n in range(petals):
         glBegin(GL_TRIANGLE_FAN)
         for distance, offset in ((0, 0), (0.2, -0.5), (0.34, -0.25), (0.36, 0.25), (0.2, 0.5)):
             angle = (n + 0.8 * offset) * math.tau / petals
             glVertex3f(distance * math.cos(angle), 1 + distance * math.sin(angle), 0)
         glEnd()
+
+
+def draw_middle():
     glBegin(GL_TRIANGLE_FAN)
     glColor3f(0.95, 0.75, 0.25)
     for n in range(12):
         angle = n * math.tau / 12
         glVertex3f(0.1 * math.cos(angle), 1 + 0.1 * math.sin(angle), 0.01)
     glEnd()
+
+
+def draw_stem():
+    """Draw the stem and a leaf."""
     glBegin(GL_TRIANGLES)
     glColor3f(0.3, 0.55, 0.35)
     for x, y in ((-0.03, 0), (0.03, 0), (0, 0.95), (0, 0.1), (0.25, 0.45), (0.02, 0.25)):
@@ -63,13 +80,25 @@ def draw_meadow(time):
     glEnd()
     chance = random.Random(1)
     for n in range(240):
-        x, z = chance.uniform(-7, 7), -12 + n / 20
+        x = chance.uniform(-7, 7)
+        z = -12 + n / 20
         glPushMatrix()
         glTranslatef(x, 0, z)
         glRotatef(6 * math.sin(time * math.pi + x + z), 0, 0, 1)
         glColor3f(*chance.choice(COLORS))
         glCallList(flower)
         glPopMatrix()
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, -1.2, -4)
+    glRotatef(18, 1, 0, 0)
 
 
 def on_key(window, key, scancode, action, mods):
@@ -83,25 +112,24 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Display lists"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
     glClearColor(0.13, 0.16, 0.21, 1)
     compile_flower()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, -1.2, -4)
-        glRotatef(18, 1, 0, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_meadow(glfw.get_time())
+
         write(16, 40, "petals chosen: {petals}, in the list: {list}", petals=petals, list=recorded)
         write(16, 16, "times compiled: {count}; called 240 times a frame", count=compiled)
         glfw.swap_buffers(window)

@@ -13,6 +13,7 @@ Keys: 1 linear, 2 exp, 3 exp2; Up and Down change the density; Space makes the b
 # keys: 1 2 UP DOWN SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -25,25 +26,56 @@ mode = 2
 density = 0.05
 matched = True
 TREES = [(2.8 + 0.6 * math.sin(4 * row), 4 + 2.5 * row) for row in range(14)]  # x, distance
+# The cones of a tree, from its trunk upwards: bottom, top, radius.
+CONES = (-1, -0.4, 0.1), (-0.8, 0.5, 0.8), (-0.1, 1.2, 0.6), (0.6, 1.8, 0.4)
+BROWN = (0.4, 0.25, 0.18)
+GREEN = (0.14, 0.38, 0.3)
 
 
 def factor(d):
     """Return the fog factor at distance d: 1 is clear, 0 is only fog."""
-    exponent = -density * d
-    return (max(0, 1 - d * density / 2), math.exp(exponent), math.exp(-(exponent**2)))[mode]
+    if MODES[mode] == GL_LINEAR:
+        return max(0, 1 - d * density / 2)  # GL_FOG_END is 2 / density
+    if MODES[mode] == GL_EXP:
+        return math.exp(-density * d)
+    return math.exp(-((density * d) ** 2))
 
 
 def draw_tree(x, d):
-    for bottom, top, radius in (-1, -0.4, 0.1), (-0.8, 0.5, 0.8), (-0.1, 1.2, 0.6), (0.6, 1.8, 0.4):
-        color = (0.4, 0.25, 0.18) if bottom == -1 else (0.14, 0.38, 0.3)
+    for number, (bottom, top, radius) in enumerate(CONES):
+        color = BROWN if number == 0 else GREEN
         glBegin(GL_TRIANGLE_FAN)
         glColor3f(*color)
         glVertex3f(x, top, -d)
         for k in range(17):
-            c, s = math.cos(k * math.pi / 8), math.sin(k * math.pi / 8)
-            glColor3f(*((0.65 - 0.35 * c) * channel for channel in color))  # lit from the left
-            glVertex3f(x + radius * c, bottom, radius * s - d)
+            angle = k * math.pi / 8
+            shade = 0.65 - 0.35 * math.cos(angle)  # lit from the left
+            glColor3f(*(shade * channel for channel in color))
+            glVertex3f(x + radius * math.cos(angle), bottom, radius * math.sin(angle) - d)
         glEnd()
+
+
+def draw_ground():
+    glBegin(GL_QUADS)
+    glColor3f(0.5, 0.45, 0.3)
+    for x, z in ((-90, 1), (90, 1), (90, -60), (-90, -60)):
+        glVertex3f(x, -1, z)  # the eye is at 0
+    glEnd()
+
+
+def draw_avenue():
+    draw_ground()
+    for x, d in TREES:
+        draw_tree(x, d)
+        draw_tree(0.5 - x, d)
+
+
+def set_fog():
+    glEnable(GL_FOG)
+    glFogi(GL_FOG_MODE, MODES[mode])
+    glFogfv(GL_FOG_COLOR, (*FOG, 1))
+    glFogf(GL_FOG_DENSITY, density)
+    glFogf(GL_FOG_END, 2 / density)
 
 
 def draw_curve(height):
@@ -67,50 +99,53 @@ def draw_curve(height):
     write(0, 8, "f(d)", at=(0, 1, 0))
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 2.5, width / height / 2.5, -0.4, 0.4, 1, 60)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
 def on_key(window, key, scancode, action, mods):
     global mode, density, matched
     if action == glfw.RELEASE:
         return
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         mode = key - glfw.KEY_1
-    density *= 1.25 ** ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_UP:
+        density *= 1.25
+    elif key == glfw.KEY_DOWN:
+        density /= 1.25
+    elif key == glfw.KEY_SPACE:
         matched = not matched
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Fog"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 2.5, width / height / 2.5, -0.4, 0.4, 1, 60)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
+        look(width, height)
         glClearColor(*(FOG if matched else (0.3, 0.5, 0.8)), 1)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glEnable(GL_DEPTH_TEST)
-        glEnable(GL_FOG)
-        glFogi(GL_FOG_MODE, MODES[mode])
-        glFogfv(GL_FOG_COLOR, (*FOG, 1))
-        glFogf(GL_FOG_DENSITY, density)
-        glFogf(GL_FOG_END, 2 / density)
-        glBegin(GL_QUADS)
-        glColor3f(0.5, 0.45, 0.3)
-        for x, z in ((-90, 1), (90, 1), (90, -60), (-90, -60)):
-            glVertex3f(x, -1, z)  # the eye is at 0
-        glEnd()
-        for x, d in TREES:
-            draw_tree(x, d)
-            draw_tree(0.5 - x, d)
+        set_fog()
+        draw_avenue()
         glDisable(GL_FOG)
         draw_curve(height)
+
         write(16, 16, LABELS[mode], c=round(density, 3), end=round(2 / density))
         glfw.swap_buffers(window)
         glfw.poll_events()

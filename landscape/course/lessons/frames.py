@@ -10,6 +10,8 @@ Keys: Left and Right turn the chair; Space leaves out its matrix; F shows it.
 # picture: frame 0
 # keys: LEFT RIGHT SPACE F
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -18,7 +20,8 @@ LEGS = [(x, 0, z, 0.1, 0.9, 0.1) for x in (-0.45, 0.45) for z in (-0.45, 0.45)]
 CHAIR = [(0, 0.9, 0, 1, 0.1, 1), (0, 1, -0.45, 1, 1, 0.1), *LEGS]
 CAMERA = [(0, -0.2, 0, 0.35, 0.4, 0.6), (0, -0.1, -0.4, 0.2, 0.2, 0.2)]
 CORNER = (0.5, 2, -0.5)  # of the chair's back, in the chair's frame
-turned, placed = 30, True  # degrees
+turned = 30  # degrees
+placed = True
 shown = False  # the matrix that takes the chair to the world
 
 
@@ -65,15 +68,26 @@ def write_matrix(height):
 
 
 def draw_part(boxes, color):
+    """Draw boxes and the axes of their frame."""
     glBegin(GL_QUADS)
-    for x, y, z, width, height, depth in boxes:  # x, y, z: the middle of the lower side
-        for axis, shade in ((0, 0.75), (1, 1), (2, 0.6)):
-            glColor3f(*(shade * channel for channel in color))
-            for side in (-1, 1):
-                for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
-                    a, b, c = ((side, u, v), (u, side, v), (u, v, side))[axis]
-                    glVertex3f(x + a * width / 2, y + (b + 1) * height / 2, z + c * depth / 2)
+    for box in boxes:
+        draw_box(box, color)
     glEnd()
+    draw_axes()
+
+
+def draw_box(box, color):
+    """Draw a box; its x, y, z are those of the middle of its lower side."""
+    x, y, z, width, height, depth = box
+    for axis, shade in ((0, 0.75), (1, 1), (2, 0.6)):
+        glColor3f(*(shade * channel for channel in color))
+        for side in (-1, 1):
+            for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                a, b, c = ((side, u, v), (u, side, v), (u, v, side))[axis]
+                glVertex3f(x + a * width / 2, y + (b + 1) * height / 2, z + c * depth / 2)
+
+
+def draw_axes():
     for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):
         glBegin(GL_LINES)
         glColor3f(*(0.45 + 0.5 * coordinate for coordinate in axis))
@@ -96,12 +110,18 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Frames"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -111,8 +131,11 @@ def main():
         glOrtho(-2.9 * width / height, 2.9 * width / height, -2.9, 2.9, 1, 50)
         glMatrixMode(GL_MODELVIEW)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+
+        # Each part in its own frame.
         set_frame(world_to_us)
         draw_part([(0, -0.1, 0, 7.6, 0.05, 6)], (0.27, 0.32, 0.38))
+
         write(-30, -22, "world", at=(0, 0, 0))
         set_frame(world_to_us, camera_to_world)
         draw_part(CAMERA, (0.95, 0.9, 0.8))

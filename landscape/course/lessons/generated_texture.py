@@ -13,6 +13,8 @@ Keys: 1 nearest, 2 linear, 3 mipmaps; Space repeats the texture or clamps it to 
 # keys: 1 2 SPACE
 # programs: made_texture
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -61,9 +63,18 @@ def draw_scene():
     glDisable(GL_TEXTURE_2D)
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-0.05 * width / height, 0.05 * width / height, -0.05, 0.05, 0.1, 100)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
 def on_key(window, key, scancode, action, mods):
     global chosen, repeated
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         chosen = key - glfw.KEY_1
     if key == glfw.KEY_SPACE and action == glfw.PRESS:
         repeated = not repeated
@@ -72,24 +83,25 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("A generated texture"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
     glClearColor(0.13, 0.16, 0.21, 1)
     make_texture()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-0.05 * width / height, 0.05 * width / height, -0.05, 0.05, 0.1, 100)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         set_texture()
         draw_scene()
+
         write(16, 440, LABELS[chosen])  # above the floor, where it can be read
         write(16, 416, "GL_REPEAT" if repeated else "GL_CLAMP_TO_EDGE")
         glfw.swap_buffers(window)

@@ -13,6 +13,7 @@ Keys: Left and Right change the resolution; Space shows the triangles; N sets al
 # loop: 240 frames
 # keys: LEFT RIGHT SPACE N
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -23,16 +24,23 @@ from text import _, write
 
 IMAGE = Image.open(Path(__file__).parent / "data" / "heights.png")
 HEIGHTS = np.asarray(IMAGE) / 65535  # 129 x 129 pixels of 16 bits, now 0 to 1
-SEA, RELIEF = 0.12, 0.7  # the sea's height in the image; the height of 1 above the grid
-# Heights and their colours: deep sea, shallows, sand, meadow, wood, rock, snow.
-LEVELS = 0, 0.11, 0.13, 0.18, 0.35, 0.55, 0.8
-COLORS = np.array(
-    [(0.14, 0.34, 0.55), (0.25, 0.6, 0.6), (0.95, 0.85, 0.62), (0.5, 0.65, 0.3)]
-    + [(0.24, 0.42, 0.24), (0.5, 0.44, 0.4), (0.97, 0.97, 0.97)]
+SEA = 0.12  # the sea's height in the image
+RELIEF = 0.7  # the height of 1 above the grid
+COLOR_MAP = np.array(
+    (  # height, red, green, blue
+        (0, 0.14, 0.34, 0.55),  # deep sea
+        (0.11, 0.25, 0.6, 0.6),  # shallows
+        (0.13, 0.95, 0.85, 0.62),  # sand
+        (0.18, 0.5, 0.65, 0.3),  # meadow
+        (0.35, 0.24, 0.42, 0.24),  # wood
+        (0.55, 0.5, 0.44, 0.4),  # rock
+        (0.8, 0.97, 0.97, 0.97),  # snow
+    )
 )
 step = 2  # every second pixel
-upright = wireframe = False
-terrain = 0
+upright = False
+wireframe = False
+terrain = 0  # the display list
 
 
 def make_terrain():
@@ -42,12 +50,16 @@ def make_terrain():
     along = np.linspace(-1, 1, len(samples))
     x, z = np.meshgrid(along, along)
     y = RELIEF * np.maximum(samples, SEA)
+    vertices = np.stack((x, y, z), axis=2)
+
     # The slopes of y are the differences between the neighbours on both sides, by their distance.
     slope_z, slope_x = np.gradient(0 * y if upright else y, along, along)
     normals = np.stack((-slope_x, np.ones_like(y), -slope_z), axis=2)
     normals /= np.linalg.norm(normals, axis=2, keepdims=True)
-    colors = np.stack([np.interp(samples, LEVELS, channel) for channel in COLORS.T], axis=2)
-    vertices = np.stack((x, y, z), axis=2)
+
+    levels = COLOR_MAP[:, 0]
+    colors = np.stack([np.interp(samples, levels, COLOR_MAP[:, n]) for n in (1, 2, 3)], axis=2)
+
     # Vertex 0 is the first of the first row. A strip zigzags between one row and the next.
     numbers = np.arange(y.size, dtype=np.uint32).reshape(y.shape)
     strips = np.stack((numbers[:-1], numbers[1:]), axis=2)
@@ -60,6 +72,19 @@ def make_terrain():
     for strip in strips:
         glDrawElements(GL_TRIANGLE_STRIP, strip.size, GL_UNSIGNED_INT, strip)
     glEndList()
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 10)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, 0, -4.6)
+    glRotatef(35, 1, 0, 0)
+    glRotatef(6 * glfw.get_time() - 20, 0, 1, 0)
+    glLightfv(GL_LIGHT0, GL_POSITION, (-1, 0.8, 0.3, 0))
 
 
 def on_key(window, key, scancode, action, mods):
@@ -80,8 +105,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Height field"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -90,22 +120,14 @@ def main():
     for array in (GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY):
         glEnableClientState(array)
     make_terrain()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 10)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, 0, -4.6)
-        glRotatef(35, 1, 0, 0)
-        glRotatef(6 * glfw.get_time() - 20, 0, 1, 0)
-        glLightfv(GL_LIGHT0, GL_POSITION, (-1, 0.8, 0.3, 0))
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE if wireframe else GL_FILL)
         glCallList(terrain)
         side = len(HEIGHTS[::step])
+
         write(16, 16, "{side} × {side} vertices", side=side)
         glfw.swap_buffers(window)
         glfw.poll_events()

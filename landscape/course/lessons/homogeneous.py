@@ -13,6 +13,8 @@ Keys: Left and Right change x, Up and Down change W; Space makes W 0, a directio
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -25,7 +27,8 @@ direction = False  # W is 0
 GREY = (0.35, 0.4, 0.47)
 CORAL = (0.85, 0.35, 0.2)
 AMBER = (0.95, 0.62, 0.35)
-TEAL, CREAM = (0.3, 0.65, 0.65), (0.95, 0.9, 0.8)
+TEAL = (0.3, 0.65, 0.65)
+CREAM = (0.95, 0.9, 0.8)
 
 
 def draw_shape(kind, points, color):
@@ -78,7 +81,8 @@ def draw_forms(height):
 
 
 def draw(width, height):
-    bottom, middle = int(110 * (height // 480 or height / 480)), width // 2  # above the text
+    bottom = int(110 * (height // 480 or height / 480))  # above the text
+    middle = width // 2
     glLineWidth(height / 240)
     for draw_part, left in ((draw_classes, 0), (draw_forms, middle)):
         glViewport(left, bottom, middle, height - bottom)
@@ -100,27 +104,38 @@ def on_key(window, key, scancode, action, mods):
     global direction, w, x
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        x = max(0.5, min(x + (0.5 if key == glfw.KEY_RIGHT else -0.5), 4))
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        w = max(1, min(w + (0.5 if key == glfw.KEY_UP else -0.5), 4))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        x = max(0.5, x - 0.5)
+    elif key == glfw.KEY_RIGHT:
+        x = min(4, x + 0.5)
+    elif key == glfw.KEY_DOWN:
+        w = max(1, w - 0.5)
+    elif key == glfw.KEY_UP:
+        w = min(4, w + 0.5)
+    elif key == glfw.KEY_SPACE:
         direction = not direction
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Homogeneous coordinates"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

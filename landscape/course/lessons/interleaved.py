@@ -15,6 +15,8 @@ passes the stride 0.
 # picture: frame 0
 # keys: 2 3 1 C SPACE
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -34,7 +36,8 @@ COLOR_TYPES = (
     (GL_UNSIGNED_SHORT, "GL_UNSIGNED_SHORT", np.uint16, 65535),
     (GL_FLOAT, "GL_FLOAT", np.float32, 1),
 )
-position, color = 0, 0  # which type
+position = 0  # which type
+color = 0
 told = True  # the stride is passed
 
 BLUE = (0.35, 0.55, 0.8)
@@ -102,7 +105,8 @@ def draw(width, height):
     stride = array.itemsize if told else 0
     name = POSITION_TYPES[position][1]
     write(16, 64, "glVertexPointer(3, {name}, {stride}, first)", BLUE, name=name, stride=stride)
-    name, offset = COLOR_TYPES[color][1], array.dtype.fields["color"][1]
+    name = COLOR_TYPES[color][1]
+    offset = array.dtype.fields["color"][1]
     write(16, 40, "glColorPointer(3, {t}, {n}, ", CORAL, t=name, n=stride)
     place = 16 + 10 * len(f"glColorPointer(3, {name}, {stride}, ")
     write(place, 40, "first + {offset})", CORAL, offset=offset)
@@ -113,28 +117,35 @@ def on_key(window, key, scancode, action, mods):
     global color, position, told
     if action == glfw.RELEASE:
         return
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + 3:
         position = key - glfw.KEY_1
-    if key == glfw.KEY_C:
+    elif key == glfw.KEY_C:
         color = (color + 1) % 3
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         told = not told
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Interleaved arrays"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

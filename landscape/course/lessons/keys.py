@@ -12,6 +12,8 @@ Keys: Left and Right darken and lighten; Space leaves out the limit.
 # keys: LEFT RIGHT SPACE
 # programs: grey_keys
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -45,15 +47,22 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Keys"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
+
     while not glfw.window_should_close(window):
         glViewport(0, 0, *glfw.get_framebuffer_size(window))
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()  # here GLFW calls on_key
+
     glfw.terminate()
 
 

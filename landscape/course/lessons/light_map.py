@@ -14,6 +14,7 @@ Keys: arrows move the light; 1 bricks, 2 light, 3 both multiplied; Space repeats
 # keys: LEFT RIGHT UP DOWN 1 2 SPACE
 
 import math
+import sys
 from pathlib import Path
 
 import glfw
@@ -24,7 +25,8 @@ from text import _, write
 LABELS = "bricks", "light map", "bricks times light map"
 light_x = -0.6
 light_y = 1.4
-shown = 3
+BRICKS, LIGHT, PRODUCT = range(3)
+shown = PRODUCT
 repeat = False
 
 
@@ -58,62 +60,98 @@ def draw_flame(radius):
     glVertex3f(light_x, light_y, 0.5)
     glColor3f(0, 0, 0)
     for angle in range(0, 361, 20):
-        x, y = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-        glVertex3f(light_x + radius * x, light_y + 1.6 * radius * y, 0.5)
+        x = radius * math.cos(math.radians(angle))
+        y = 1.6 * radius * math.sin(math.radians(angle))
+        glVertex3f(light_x + x, light_y + y, 0.5)
     glEnd()
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, -1, -11)
+    glRotatef(20, 1, 0, 0)
+    glRotatef(-20, 0, 1, 0)
+
+
+def make_glow():
+    """Return a texture of light: from the flame in the middle to the blue of the night."""
+    gradient = Image.radial_gradient("L")  # 0 in the middle, 181 at the edge
+    return make_texture(
+        ImageOps.colorize(
+            gradient,
+            black="#fff4d8",
+            blackpoint=0,
+            mid="#c08850",
+            midpoint=80,
+            white="#303c68",
+            whitepoint=181,
+        )
+    )
+
+
+def draw_light(glow):
+    """Draw the light map over wall and floor; it flickers."""
+    size = 5.5 + 0.2 * math.sin(9.4 * glfw.get_time()) * math.sin(22 * glfw.get_time())
+    wrap = GL_REPEAT if repeat else GL_CLAMP_TO_EDGE
+    draw_room(glow, light_x - size / 2, light_y - size / 2, size, wrap)
 
 
 def on_key(window, key, scancode, action, mods):
     global light_x, light_y, shown, repeat
     if action == glfw.RELEASE:
         return
-    light_x += 0.2 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    light_y += 0.2 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key - glfw.KEY_1 in range(3):
-        shown = key - glfw.KEY_1 + 1
-    repeat ^= key == glfw.KEY_SPACE
-    if key == glfw.KEY_ESCAPE:
+    if key == glfw.KEY_LEFT:
+        light_x -= 0.2
+    elif key == glfw.KEY_RIGHT:
+        light_x += 0.2
+    elif key == glfw.KEY_UP:
+        light_y += 0.2
+    elif key == glfw.KEY_DOWN:
+        light_y -= 0.2
+    elif glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
+        shown = key - glfw.KEY_1
+    elif key == glfw.KEY_SPACE:
+        repeat = not repeat
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Light maps"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     bricks = make_texture(Image.open(Path(__file__).parent / "data" / "brick.png").convert("RGB"))
+    glow = make_glow()
 
-    # The gradient is 0 in the middle and 181 at the edge: from the flame to the blue of the night.
-    colors, levels = ("#fff4d8", "#303c68", "#c08850"), (0, 181, 80)
-    glow = make_texture(ImageOps.colorize(Image.radial_gradient("L"), *colors, *levels))
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, -1, -11)
-        glRotatef(20, 1, 0, 0)
-        glRotatef(-20, 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT)
         glColor3f(1, 1, 1)
         glEnable(GL_TEXTURE_2D)
-        if shown != 2:
+        if shown != LIGHT:
             draw_room(bricks, 0, 0, 3, GL_REPEAT)
-        if shown == 3:
+        if shown == PRODUCT:
             glEnable(GL_BLEND)
             glBlendFunc(GL_DST_COLOR, GL_ZERO)
-        if shown != 1:
-            size = 5.5 + 0.2 * math.sin(9.4 * glfw.get_time()) * math.sin(22 * glfw.get_time())
-            wrap = GL_REPEAT if repeat else GL_CLAMP_TO_EDGE
-            draw_room(glow, light_x - size / 2, light_y - size / 2, size, wrap)
+        if shown != BRICKS:
+            draw_light(glow)
         glDisable(GL_TEXTURE_2D)
         glEnable(GL_BLEND)
         draw_flame(0.2)
         glDisable(GL_BLEND)
-        write(16, 16, LABELS[shown - 1], (0, 0, 0) if shown == 1 else (1, 1, 1))
+
+        write(16, 16, LABELS[shown], (0, 0, 0) if shown == BRICKS else (1, 1, 1))
         glfw.swap_buffers(window)
         glfw.poll_events()
 

@@ -13,6 +13,7 @@ Keys: 1, 2 and 3 switch the ambient, the diffuse and the specular term.
 # keys: 1 2 3
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -71,8 +72,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Light model"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
@@ -81,6 +87,7 @@ def main():
     glLightfv(GL_LIGHT0, GL_AMBIENT, (1, 1, 1, 1))
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, BLACK)  # no ambient light but that of the lamp
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -15,12 +15,14 @@ N and L alone.
 # keys: LEFT RIGHT UP DOWN N SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
-to_light, to_viewer = 50, -30  # degrees from N
+to_light = 50  # degrees from N
+to_viewer = -30
 exponent = 8
 specular = True
 
@@ -35,7 +37,8 @@ BLUE = (0.6, 0.75, 1)
 def draw_arrow(name, degrees, color, length=1.0):
     """Draw a direction from the point, ``degrees`` from N to the left."""
     angle = math.radians(degrees)
-    x, y = -math.sin(angle), math.cos(angle)
+    x = -math.sin(angle)
+    y = math.cos(angle)
     glColor3f(*color)
     glBegin(GL_LINES)
     glVertex2f(0, 0)
@@ -86,11 +89,15 @@ def draw(width, height):
     glLoadIdentity()
     glOrtho(-reach, reach, -0.3, 1.3, -1, 1)
     glLineWidth(height / 200)
+
+    # R is at -to_light, so that the angle from R to V is the sum.
     diffuse = cosine(to_light)
-    half = (to_light + to_viewer) / 2
     lit = diffuse > 0
-    phong, blinn = (lit * cosine(a) ** exponent for a in (to_viewer + to_light, half))
+    half = (to_light + to_viewer) / 2
+    phong = lit * cosine(to_viewer + to_light) ** exponent
+    blinn = lit * cosine(half) ** exponent
     shine = blinn if specular else 0
+
     draw_surface([min(1, 0.08 + diffuse * part + shine) for part in (0.8, 0.33, 0.2)])
     draw_arc(0.3, 0, to_light, AMBER)
     if specular:
@@ -102,6 +109,7 @@ def draw(width, height):
 
     draw_arrow("L", to_light, AMBER, 1.1)
     draw_arrow("N", 0, CREAM, 1.1)
+
     glViewport(0, 0, width, height)
     write(16, 112, "angle N, L: {a}°", AMBER, a=abs(to_light))
     write(280, 112, "diffuse: cos = {d:.2f}", AMBER, d=diffuse)
@@ -118,29 +126,40 @@ def on_key(window, key, scancode, action, mods):
     global exponent, specular, to_light, to_viewer
     if action == glfw.RELEASE:
         return
-    to_light += 10 * ((key == glfw.KEY_LEFT) - (key == glfw.KEY_RIGHT))
-    to_light = max(-120, min(to_light, 120))
-    to_viewer += 10 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    to_viewer = max(-80, min(to_viewer, 80))
-    if key == glfw.KEY_N:
+    if key == glfw.KEY_RIGHT:
+        to_light = max(-120, to_light - 10)
+    elif key == glfw.KEY_LEFT:
+        to_light = min(120, to_light + 10)
+    elif key == glfw.KEY_DOWN:
+        to_viewer = max(-80, to_viewer - 10)
+    elif key == glfw.KEY_UP:
+        to_viewer = min(80, to_viewer + 10)
+    elif key == glfw.KEY_N:
         exponent = exponent * 2 if exponent < 128 else 1
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         specular = not specular
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Light vectors"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

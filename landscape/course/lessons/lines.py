@@ -14,13 +14,16 @@ pattern of the polygon.
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE F
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
 PATTERNS = (0xFFFF, 0x00FF, 0x3333, 0x1C47)
 LABELS = ("stripes", "checks", "no pattern")
-width, factor = 3, 2
+width = 3
+factor = 2
 smooth = True
 hatching = 0
 
@@ -43,7 +46,10 @@ def stipple():
 
 def set_smoothing(on):
     for capability in (GL_LINE_SMOOTH, GL_POINT_SMOOTH, GL_POLYGON_SMOOTH, GL_BLEND):
-        (glEnable if on else glDisable)(capability)
+        if on:
+            glEnable(capability)
+        else:
+            glDisable(capability)
     # A pixel that is covered in part keeps the rest of what was there: the lesson blending.
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
 
@@ -108,29 +114,40 @@ def on_key(window, key, scancode, action, mods):
     global factor, hatching, smooth, width
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        width = max(1, min(width + (1 if key == glfw.KEY_UP else -1), 8))
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        factor = max(1, min(factor + (1 if key == glfw.KEY_RIGHT else -1), 8))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_DOWN:
+        width = max(1, width - 1)
+    elif key == glfw.KEY_UP:
+        width = min(8, width + 1)
+    elif key == glfw.KEY_LEFT:
+        factor = max(1, factor - 1)
+    elif key == glfw.KEY_RIGHT:
+        factor = min(8, factor + 1)
+    elif key == glfw.KEY_SPACE:
         smooth = not smooth
-    if key == glfw.KEY_F:
+    elif key == glfw.KEY_F:
         hatching = (hatching + 1) % 3
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Lines and patterns"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -12,6 +12,8 @@ Keys: Left and Right lead the camera around, Up and Down lift it; Space lays up 
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN SPACE
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -26,7 +28,9 @@ BOXES = (  # the middle of each, half its size, its colour
 )
 LABELS = ("right", "up", "back", "eye")
 COLORS = ((0.95, 0.5, 0.35), (0.4, 0.8, 0.8), (0.6, 0.75, 1), (1, 1, 1))
-turn, altitude = -55, 2  # of the eye: degrees around the target, units above the ground
+# The eye: degrees around the target, and units above the ground.
+turn = -55
+altitude = 2
 parallel = False  # up is parallel to the view
 
 
@@ -49,12 +53,8 @@ def draw_scene():
     glEnd()
 
 
-def draw(width, height):
-    bottom, middle = int(116 * (height // 480 or height / 480)), width // 2  # above the text
-    aspect = middle / (height - bottom)
-    angle = np.radians(turn)
-    eye = np.array((3 * np.sin(angle), altitude, 3 * np.cos(angle)))
-    frame = camera_frame(eye, TARGET, eye - TARGET if parallel else (0, 1, 0))
+def draw_overview(aspect, eye, frame):
+    """Draw the scene from outside, with the eye, its axes, and the line to the target."""
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
     glOrtho(-4, 4, 0.7 - 4 / aspect, 0.7 + 4 / aspect, -20, 20)
@@ -62,16 +62,17 @@ def draw(width, height):
     glLoadIdentity()
     glRotatef(25, 1, 0, 0)
     glRotatef(-30, 0, 1, 0)
-    glViewport(0, bottom, middle, height - bottom)
     draw_scene()
-    glLineWidth(height / 160)
     glBegin(GL_LINES)
     for end, color in zip((*(eye + axis for axis in frame), TARGET), COLORS, strict=True):
         glColor3f(*color)
         glVertex3f(*eye)
         glVertex3f(*end)
-
     glEnd()
+
+
+def draw_view(aspect, eye, frame):
+    """Draw the scene as the eye sees it: by the inverse of its frame."""
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
     glFrustum(-0.6 * aspect, 0.6 * aspect, -0.6, 0.6, 1, 20)
@@ -81,8 +82,23 @@ def draw(width, height):
     glLoadIdentity()
     glMultMatrixf(matrix.T)  # OpenGL reads columns
     glTranslatef(*-eye)
-    glViewport(middle, bottom, middle, height - bottom)
     draw_scene()
+
+
+def draw(width, height):
+    bottom = int(116 * (height // 480 or height / 480))  # above the text
+    middle = width // 2
+    aspect = middle / (height - bottom)
+    angle = np.radians(turn)
+    eye = np.array((3 * np.sin(angle), altitude, 3 * np.cos(angle)))
+    frame = camera_frame(eye, TARGET, eye - TARGET if parallel else (0, 1, 0))
+
+    glLineWidth(height / 160)
+    glViewport(0, bottom, middle, height - bottom)
+    draw_overview(aspect, eye, frame)
+    glViewport(middle, bottom, middle, height - bottom)
+    draw_view(aspect, eye, frame)
+
     glViewport(0, 0, width, height)
     for line, (x, y, z) in enumerate(np.add((*frame, eye), 0)):  # + 0 makes 0 of -0
         write(16, 88 - 24 * line, LABELS[line], COLORS[line])
@@ -93,26 +109,39 @@ def on_key(window, key, scancode, action, mods):
     global turn, altitude, parallel
     if action == glfw.RELEASE:
         return
-    turn += 10 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    altitude += 0.25 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        turn -= 10
+    elif key == glfw.KEY_RIGHT:
+        turn += 10
+    elif key == glfw.KEY_DOWN:
+        altitude -= 0.25
+    elif key == glfw.KEY_UP:
+        altitude += 0.25
+    elif key == glfw.KEY_SPACE:
         parallel = not parallel
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Look-at"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_DEPTH_TEST)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -12,6 +12,8 @@ Keys: the arrows move the window on the screen; Space draws without end, as an a
 # picture: frame 1 after RIGHT
 # keys: LEFT RIGHT UP DOWN SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -47,7 +49,8 @@ def display(window):
 
 def draw_box(left, top, width, height, color):
     """Draw a rectangle of a screen of 1280 by 800 pixels, small, in the window's upper part."""
-    x, y = -0.75 + 1.5 * left / 1280, 0.9 - 1.15 * top / 800
+    x = -0.75 + 1.5 * left / 1280
+    y = 0.9 - 1.15 * top / 800
     glColor3f(*color)
     glRectf(x, y, x + 1.5 * width / 1280, y - 1.15 * height / 800)
 
@@ -83,25 +86,33 @@ def on_key(window, key, scancode, action, mods):
     if action == glfw.RELEASE:
         return
     counts["keys"] += 1
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        place[0] += 40 if key == glfw.KEY_RIGHT else -40
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        place[1] += 40 if key == glfw.KEY_DOWN else -40
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        place[0] -= 40
+    elif key == glfw.KEY_RIGHT:
+        place[0] += 40
+    elif key == glfw.KEY_UP:
+        place[1] -= 40
+    elif key == glfw.KEY_DOWN:
+        place[1] += 40
+    elif key == glfw.KEY_SPACE:
         endless = not endless
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
     glfw.set_window_pos(window, *place)
     ask_for_picture()
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
 
     # What the framebuffer must have is said before the window is made.
     glfw.window_hint(glfw.DOUBLEBUFFER, True)  # False: draw where it is seen, then glFlush
     glfw.window_hint(glfw.DEPTH_BITS, 24)  # a depth buffer, for GL_DEPTH_TEST
     window = glfw.create_window(*size, _("The main loop"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.set_window_pos(window, *place)
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
@@ -110,6 +121,7 @@ def main():
     size[:] = glfw.get_framebuffer_size(window)
     glViewport(0, 0, *size)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         if changed or endless:
             display(window)

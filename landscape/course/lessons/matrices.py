@@ -13,6 +13,8 @@ turns about the x axis instead of z.
 # picture: frame 0
 # keys: 1 2 3 LEFT RIGHT SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -20,26 +22,29 @@ from text import _, write
 FLAG = ((0, 0), (0.3, 0), (0.3, 1.1), (1.5, 1.1), (1.2, 1.5), (1.5, 1.9), (0, 1.9))
 CORNER = (1.5, 1.9, 0)
 LABELS = ("glTranslatef", "glRotatef", "glScalef", "all three")
-mode = 3
+TRANSLATE, ROTATE, SCALE, ALL = range(4)
+mode = ALL
 amount = 3  # steps
 axis = (0, 0, 1)
 
 
 def transform():
     """Multiply the modelview matrix by what is chosen; in the product the scale acts first."""
-    if mode in (0, 3):
+    if mode in (TRANSLATE, ALL):
         glTranslatef(0.4 * amount, 0.2 * amount, 0)
-    if mode in (1, 3):
+    if mode in (ROTATE, ALL):
         glRotatef(10 * amount, *axis)
-    if mode in (2, 3):
+    if mode in (SCALE, ALL):
         glScalef(1 + 0.25 * amount, 1 - 0.1 * amount, 1)
 
 
 def draw_flag():
-    for first, last in ((0, 4), (2, 7)):  # two convex parts
-        part = (FLAG[0], FLAG[1], FLAG[2], (0, 1.1)) if first == 0 else ((0, 1.1), *FLAG[3:last])
+    """Draw the pole and the cloth: each of them is convex, so that a fan fills it."""
+    foot, foot_right, hoist_right, *cloth = FLAG
+    hoist = (0, 1.1)  # where the cloth begins, at the left of the pole
+    for fan in ((hoist, foot, foot_right, hoist_right), (cloth[-1], hoist, *cloth[:-1])):
         glBegin(GL_TRIANGLE_FAN)
-        for x, y in (part[-1], *part[:-1]):
+        for x, y in fan:
             glVertex2f(x, y)
         glEnd()
 
@@ -63,6 +68,28 @@ def draw_axes():
     glEnd()
 
 
+def draw_corner(height):
+    glPointSize(height / 40)
+    glColor3f(0.95, 0.9, 0.8)
+    glBegin(GL_POINTS)
+    glVertex3f(*CORNER)
+    glEnd()
+
+
+def write_product(matrix):
+    """Write the matrix, the corner as a column, and their product."""
+    column = (*CORNER, 1)
+    image = matrix @ column
+    for line in range(4):
+        a, b, c, d = (value + 0 for value in matrix[line].round(2))  # + 0 makes 0 of -0
+        y = 88 - 24 * line
+        write(16, y, "{a:6.2f} {b:6.2f} {c:6.2f} {d:6.2f}", a=a, b=b, c=c, d=d)
+        write(310, y, "{value:5.2f}", (0.95, 0.62, 0.35), value=column[line])
+        write(400, y, "{value:6.2f}", (0.95, 0.5, 0.35), value=image[line].round(2) + 0)
+    write(378, 52, "=")
+    write(296, 52, "×")
+
+
 def draw(width, height):
     bottom = int(152 * (height // 480 or height / 480))  # above the text
     glViewport(0, bottom, width, height - bottom)
@@ -74,58 +101,56 @@ def draw(width, height):
     glLoadIdentity()
     glLineWidth(height / 240)
     draw_axes()
+
+    # The transformed flag, and its outline as it was.
     transform()
     matrix = glGetFloatv(GL_MODELVIEW_MATRIX).T  # OpenGL stores its columns
     glColor3f(0.85, 0.35, 0.2)
     draw_flag()
-    glPointSize(height / 40)
-    glColor3f(0.95, 0.9, 0.8)
-    glBegin(GL_POINTS)
-    glVertex3f(*CORNER)
-    glEnd()
+    draw_corner(height)
     glLoadIdentity()
     glColor3f(0.95, 0.62, 0.35)
     draw_outline()
-    glViewport(0, 0, width, height)
-    column = (*CORNER, 1)
-    image = matrix @ column
-    write(16, 112, LABELS[mode])
-    for line in range(4):
-        row = [value + 0 for value in matrix[line].round(2)]  # + 0 makes 0 of -0
-        y = 88 - 24 * line
-        write(16, y, "{a:6.2f} {b:6.2f} {c:6.2f} {d:6.2f}", a=row[0], b=row[1], c=row[2], d=row[3])
-        write(310, y, "{value:5.2f}", (0.95, 0.62, 0.35), value=column[line])
-        write(400, y, "{value:6.2f}", (0.95, 0.5, 0.35), value=image[line].round(2) + 0)
 
-    write(378, 52, "=")
-    write(296, 52, "×")
+    glViewport(0, 0, width, height)
+    write(16, 112, LABELS[mode])
+    write_product(matrix)
 
 
 def on_key(window, key, scancode, action, mods):
     global amount, axis, mode
     if action == glfw.RELEASE:
         return
-    if key - glfw.KEY_1 in range(4):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         mode = key - glfw.KEY_1
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        amount = max(-6, min(amount + (1 if key == glfw.KEY_RIGHT else -1), 6))
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_LEFT:
+        amount = max(-6, amount - 1)
+    elif key == glfw.KEY_RIGHT:
+        amount = min(6, amount + 1)
+    elif key == glfw.KEY_SPACE:
         axis = (1, 0, 0) if axis == (0, 0, 1) else (0, 0, 1)
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Matrices"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

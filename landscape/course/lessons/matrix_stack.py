@@ -13,6 +13,7 @@ Keys: Left and Right steer; Space leaves out glPushMatrix and glPopMatrix.
 # keys: LEFT RIGHT SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -75,38 +76,50 @@ def draw_car(angle):
     draw_part(draw_axle, angle, at=(1.2, -0.3, 0), turned=(steering, 0, 1, 0))
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, 0.1, -8)
+    glRotatef(25, 1, 0, 0)
+    glRotatef(-30, 0, 1, 0)
+
+
 def on_key(window, key, scancode, action, mods):
     global steering, stack
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        steering += 5 if key == glfw.KEY_LEFT else -5
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_RIGHT:
+        steering -= 5
+    elif key == glfw.KEY_LEFT:
+        steering += 5
+    elif key == glfw.KEY_SPACE:
         stack = not stack
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Matrix stack"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, 0.1, -8)
-        glRotatef(25, 1, 0, 0)
-        glRotatef(-30, 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_car(-90 * glfw.get_time())
+
         write(16, 40, "steering {angle}°", angle=steering)
         write(16, 16, "matrix stack on" if stack else "matrix stack off")
         glfw.swap_buffers(window)

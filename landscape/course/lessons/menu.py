@@ -11,13 +11,16 @@ Keys: Up and Down move the mark; Enter or 1 to 4 choose a background; Space leav
 # picture: frame 1 after DOWN
 # keys: UP DOWN ENTER 1 2 3 SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
 LABELS = ("night", "forest", "brick", "sea")
 COLORS = ((0.13, 0.16, 0.21), (0.16, 0.33, 0.24), (0.5, 0.23, 0.17), (0.16, 0.32, 0.5))
-marked, chosen = 0, 3
+marked = 0
+chosen = 3
 round_trip = True
 
 
@@ -59,15 +62,22 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("A menu"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
+
     while not glfw.window_should_close(window):
         glViewport(0, 0, *glfw.get_framebuffer_size(window))
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

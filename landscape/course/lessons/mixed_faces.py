@@ -16,6 +16,7 @@ change how many faces are drawn.
 # keys: 1 2 LEFT RIGHT
 
 import ctypes
+import sys
 
 import glfw
 import numpy as np
@@ -23,40 +24,44 @@ from OpenGL.GL import *
 from text import _, write
 
 LABELS = ("glArrayElement", "glDrawElements", "glMultiDrawElements")
-mode = 2
+ARRAY_ELEMENT, ELEMENTS, MULTI = range(3)
+mode = MULTI
 drawn = 32  # faces
 
 
 def make_football():
     """Return the directions to the faces' middles, and each face's corners in order.
 
-    The corners are those of an icosahedron, cut off at a third of each edge.
+    A football is an icosahedron whose tips are cut off at a third of each edge: a pentagon is left
+    of each tip, a hexagon of each triangle.
     """
     golden = (1 + 5**0.5) / 2
-    tips = [(0, a, b) for a in (-1, 1) for b in (-golden, golden)]
-    tips = np.array([np.roll(tip, turn) for turn in range(3) for tip in tips])
-    near = [[n for n in range(12) if 0 < np.linalg.norm(tips[n] - tip) < 2.1] for tip in tips]
-    edges = [(a, b) for a in range(12) for b in near[a]]
+    rectangle = [(0, a, b) for a in (-1, 1) for b in (-golden, golden)]
+    tips = np.array([np.roll(tip, turn) for turn in range(3) for tip in rectangle])
+    edges = [(a, b) for a in range(12) for b in range(12) if are_neighbours(tips[a], tips[b])]
     corners = np.array([(2 * tips[a] + tips[b]) / 3 for a, b in edges])
+
     middles = list(tips)
-    for a in range(12):
-        middles += [
-            tips[a] + tips[b] + tips[c]
-            for b in near[a]
-            for c in near[a]
-            if a < b < c and c in near[b]
-        ]
+    for a, b in edges:
+        for c in range(b + 1, 12):
+            if a < b and (a, c) in edges and (b, c) in edges:
+                middles.append(tips[a] + tips[b] + tips[c])
+    return corners, middles, [face_around(middle, corners) for middle in middles]
 
-    faces = []
-    for middle in middles:
-        middle = middle / np.linalg.norm(middle)
-        heights = corners @ middle
-        own = np.flatnonzero(heights > heights.max() - 0.01)
-        side = np.cross(middle, corners[own[0]])
-        angles = np.arctan2(corners[own] @ side, corners[own] @ np.cross(side, middle))
-        faces.append(own[np.argsort(angles)])  # counter-clockwise, seen from outside
 
-    return corners, middles, faces
+def are_neighbours(tip, other):
+    """Return whether an edge joins two tips of the icosahedron: it is 2 long."""
+    return 0 < np.linalg.norm(other - tip) < 2.1
+
+
+def face_around(middle, corners):
+    """Return the numbers of a face's corners, counter-clockwise, seen from outside."""
+    middle = middle / np.linalg.norm(middle)
+    heights = corners @ middle
+    numbers = np.flatnonzero(heights > heights.max() - 0.01)
+    side = np.cross(middle, corners[numbers[0]])
+    angles = np.arctan2(corners[numbers] @ side, corners[numbers] @ np.cross(side, middle))
+    return numbers[np.argsort(angles)]
 
 
 def make_arrays():
@@ -90,23 +95,38 @@ addresses = (ctypes.c_void_p * 32)(*(face.ctypes.data for face in indices))
 
 def draw_football():
     """Draw the faces, and return how many calls it took."""
-    if mode == 2:
+    if mode == MULTI:
         glMultiDrawElements(GL_POLYGON, counts, GL_UNSIGNED_INT, addresses, drawn)
         return 1
-    for face in indices[:drawn]:
-        if mode == 1:
+
+    if mode == ELEMENTS:
+        for face in indices[:drawn]:
             glDrawElements(GL_POLYGON, len(face), GL_UNSIGNED_INT, face)
-            continue
+        return drawn
+
+    for face in indices[:drawn]:
         glBegin(GL_POLYGON)
         for index in face:
             glArrayElement(index)
         glEnd()
-    return drawn if mode == 1 else int(2 * drawn + counts[:drawn].sum())
+    return int(2 * drawn + counts[:drawn].sum())
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, (-0.6, 0.8, 1, 0))
+    glTranslatef(0, 0.15, -7)
+    glRotatef(60 * glfw.get_time(), 0.3, 1, 0)
 
 
 def on_key(window, key, scancode, action, mods):
     global drawn, mode
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         mode = key - glfw.KEY_1
     if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT) and action != glfw.RELEASE:
         drawn = (drawn + (1 if key == glfw.KEY_RIGHT else -1)) % 33
@@ -115,8 +135,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Mixed faces"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL):
@@ -128,19 +153,12 @@ def main():
     glColorPointer(3, GL_FLOAT, 0, colors)
     glVertexPointer(3, GL_FLOAT, 0, vertices)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glLightfv(GL_LIGHT0, GL_POSITION, (-0.6, 0.8, 1, 0))
-        glTranslatef(0, 0.15, -7)
-        glRotatef(60 * glfw.get_time(), 0.3, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         calls = draw_football()
+
         write(16, 64, LABELS[mode])
         write(16, 40, "faces: {drawn}", drawn=drawn)
         write(16, 16, "calls: {calls}", calls=calls)

@@ -12,12 +12,18 @@ Keys: Space leaves out the test of the button.
 # keys: SPACE
 # programs: drag_colors
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
-green, blue = 0.45, 0.55
-last_x = last_y = 0  # where the mouse was, in pixels from the upper left corner
+green = 0.45
+blue = 0.55
+
+# Where the mouse was, in pixels from the upper left corner.
+last_x = 0
+last_y = 0
 dragging = False
 tested = True
 
@@ -41,7 +47,8 @@ def on_move(window, x, y):
     if dragging or not tested:
         blue = max(0, min(blue + 0.005 * (x - last_x), 1))
         green = max(0, min(green - 0.005 * (y - last_y), 1))  # minus: y grows downwards
-    last_x, last_y = x, y
+    last_x = x
+    last_y = y
 
 
 def on_key(window, key, scancode, action, mods):
@@ -53,17 +60,24 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The mouse"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glfw.set_mouse_button_callback(window, on_button)
     glfw.set_cursor_pos_callback(window, on_move)
+
     while not glfw.window_should_close(window):
         glViewport(0, 0, *glfw.get_framebuffer_size(window))
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

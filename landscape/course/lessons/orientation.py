@@ -15,6 +15,7 @@ clockwise faces the front.
 # keys: LEFT RIGHT SPACE C F
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -28,7 +29,8 @@ TRIANGLES = (  # where each stands, the order of its vertices, its turn in degre
 )
 angle = 0  # degrees about the vertical axis
 culling = False
-culled, front = GL_BACK, GL_CCW
+culled = GL_BACK
+front = GL_CCW
 
 
 def draw_triangle(place, order, turn, color):
@@ -76,28 +78,37 @@ def on_key(window, key, scancode, action, mods):
     global angle, culling, culled, front
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        angle += 15 if key == glfw.KEY_RIGHT else -15
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        angle -= 15
+    elif key == glfw.KEY_RIGHT:
+        angle += 15
+    elif key == glfw.KEY_SPACE:
         culling = not culling
-    if key == glfw.KEY_C:
+    elif key == glfw.KEY_C:
         culled = GL_FRONT if culled == GL_BACK else GL_BACK
-    if key == glfw.KEY_F:
+    elif key == glfw.KEY_F:
         front = GL_CW if front == GL_CCW else GL_CCW
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Orientation"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

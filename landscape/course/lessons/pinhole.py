@@ -13,12 +13,16 @@ the distance f; Space makes the rays parallel.
 # picture: frame 0
 # keys: LEFT RIGHT UP DOWN F SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
 HOUSE = ((0, 1), (-0.6, 0.4), (-0.6, -0.6), (0.6, -0.6), (0.6, 0.4))  # the first vertex is P
-y, z = 0.2, 5.5  # the middle of the house, 0.6 to the right of the axis
+# The middle of the house, which is 0.6 to the right of the axis.
+y = 0.2
+z = 5.5
 f = 2
 parallel = False
 
@@ -69,24 +73,34 @@ def on_key(window, key, scancode, action, mods):
     global y, z, f, parallel
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        z = max(4, min(z + (0.5 if key == glfw.KEY_RIGHT else -0.5), 8))
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        y = max(-0.8, min(y + (0.2 if key == glfw.KEY_UP else -0.2), 0.4))
-    if key == glfw.KEY_F:
+    if key == glfw.KEY_LEFT:
+        z = max(4, z - 0.5)
+    elif key == glfw.KEY_RIGHT:
+        z = min(8, z + 0.5)
+    elif key == glfw.KEY_DOWN:
+        y = max(-0.8, y - 0.2)
+    elif key == glfw.KEY_UP:
+        y = min(0.4, y + 0.2)
+    elif key == glfw.KEY_F:
         f = f % 3 + 1
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         parallel = not parallel
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The pinhole camera"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -14,6 +14,7 @@ F draws the triangles over it.
 # picture: frame 0
 # keys: 1 3 SPACE LEFT RIGHT F
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -23,7 +24,8 @@ from PIL import Image
 from text import _, write
 
 LABELS = "plane: s = x, t = y", "cylinder: s = {angle}, t = y", "sphere: s = {angle}, t = latitude"
-mapping = 1
+PLANE, CYLINDER, SPHERE = range(3)
+mapping = CYLINDER
 absolute = True
 turn = 50
 meshed = False  # the triangles are drawn as lines, too
@@ -32,10 +34,12 @@ meshed = False  # the triangles are drawn as lines, too
 def read_ply(path):
     """Return the vertices (n, 3) and the triangles (m, 3) of an ASCII PLY file."""
     header, body = path.read_text().split("end_header\n")
-    counts = [int(line.split()[2]) for line in header.splitlines() if line.startswith("element")]
+    elements = [line.split() for line in header.splitlines() if line.startswith("element")]
+    count = int(elements[0][2])  # "element vertex 752"
     rows = [row.split() for row in body.splitlines()]
-    faces = np.array(rows[counts[0] :], np.uint32)  # each row: 3, and the numbers of 3 vertices
-    return np.array(rows[: counts[0]], np.float32), faces[:, 1:].copy()
+    vertices = np.array(rows[:count], np.float32)
+    faces = np.array(rows[count:], np.uint32)  # each row: 3, and the numbers of 3 vertices
+    return vertices, faces[:, 1:].copy()
 
 
 def sum_normals(vertices, faces):
@@ -52,10 +56,16 @@ def sum_normals(vertices, faces):
 def map_texture(vertices):
     """Return texture coordinates (n, 2) by the chosen mapping."""
     x, y, z = vertices.T
-    angle, latitude = np.arctan2(z, x) / np.pi, np.arctan2(y, np.hypot(x, z)) / np.pi
+    angle = np.arctan2(z, x) / np.pi  # from -1 to 1
+    latitude = 2 * np.arctan2(y, np.hypot(x, z)) / np.pi
     if absolute:
         angle = abs(angle)
-    mapped = ((x, y), (angle, y), (angle, 2 * latitude))[mapping]
+    if mapping == PLANE:
+        mapped = x, y
+    elif mapping == CYLINDER:
+        mapped = angle, y
+    else:
+        mapped = angle, latitude
     return 4 * np.stack(mapped, axis=1).astype(np.float32)
 
 
@@ -83,24 +93,44 @@ def draw_lines(faces):
     glPopAttrib()
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, 0.1, -5)
+    glRotatef(15, 1, 0, 0)
+    glRotatef(turn + 20 * glfw.get_time(), 0, 1, 0)
+
+
 def on_key(window, key, scancode, action, mods):
     global mapping, absolute, meshed, turn
     if action == glfw.RELEASE:
         return
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         mapping = key - glfw.KEY_1
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         absolute = not absolute
-    if key == glfw.KEY_F:
+    elif key == glfw.KEY_F:
         meshed = not meshed
-    turn += 15 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_LEFT:
+        turn -= 15
+    elif key == glfw.KEY_RIGHT:
+        turn += 15
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("PLY meshes"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     vertices, faces = read_ply(Path(__file__).parent / "data" / "rabbit.ply")
@@ -112,17 +142,9 @@ def main():
         glEnableClientState(array)
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.9, 0.9, 0.9, 1))
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, 0.1, -5)
-        glRotatef(15, 1, 0, 0)
-        glRotatef(turn + 20 * glfw.get_time(), 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glVertexPointer(3, GL_FLOAT, 0, vertices)
         glNormalPointer(GL_FLOAT, 0, normals)
@@ -130,6 +152,7 @@ def main():
         glDrawElements(GL_TRIANGLES, faces.size, GL_UNSIGNED_INT, faces)
         if meshed:
             draw_lines(faces)
+
         write(16, 40, "faces: {count}", count=len(faces))
         write(16, 16, LABELS[mapping], angle="|angle|" if absolute else "angle")
         glfw.swap_buffers(window)

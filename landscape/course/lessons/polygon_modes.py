@@ -13,6 +13,7 @@ Keys: F changes the mode of the front faces, B that of the back faces; Up and Do
 # keys: F B UP DOWN
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -28,7 +29,8 @@ PROFILE = (  # radius, height and colour of each ring
     *((0.46, 0.42, (0.95, 0.62, 0.35)), (0.38, 0.58, (0.95, 0.72, 0.5))),
     *((0.42, 0.7, (0.95, 0.82, 0.65)), (0.54, 0.8, (0.95, 0.9, 0.8))),
 )
-front, back = 0, 1
+front = 0
+back = 1
 tilt = 30  # degrees
 
 
@@ -70,24 +72,33 @@ def on_key(window, key, scancode, action, mods):
         return
     if key == glfw.KEY_F:
         front = (front + 1) % 3
-    if key == glfw.KEY_B:
+    elif key == glfw.KEY_B:
         back = (back + 1) % 3
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        tilt += 5 if key == glfw.KEY_UP else -5
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_DOWN:
+        tilt -= 5
+    elif key == glfw.KEY_UP:
+        tilt += 5
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Polygon modes"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

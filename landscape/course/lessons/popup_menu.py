@@ -12,6 +12,8 @@ Keys: Space opens the menu; Up and Down move the mark, Enter carries it out.
 # picture: frame 1 after SPACE DOWN
 # keys: SPACE DOWN UP ENTER
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -25,15 +27,19 @@ LABELS = {
     "begin again": "begin again",
     **{"left": "left", "middle": "middle", "right": "right"},
 }
-LINE, ACROSS = 28, 150  # the size of a line of the menu, in the pixels that write counts in
+# The size of a line of the menu, in the pixels that write counts in.
+LINE = 28
+ACROSS = 150
 BUTTONS = (glfw.MOUSE_BUTTON_LEFT, glfw.MOUSE_BUTTON_MIDDLE, glfw.MOUSE_BUTTON_RIGHT)
 BUTTON_NAMES = ("left", "middle", "right")
 
-color, size = "coral", "medium"
+color = "coral"
+size = "medium"
 place = [400.0, 260.0]  # of the square's middle
 mouse = [320.0, 240.0]
 opened = None  # the upper left corner of the menu
-marked = sub_marked = None  # the line of the menu, and of the menu beside it
+marked = None  # the line of the menu
+sub_marked = None  # the line of the menu beside it
 
 
 def window_size(window):
@@ -90,14 +96,16 @@ def open_menu(x, y):
 def draw_box(window, left, bottom, width, height, color):
     """Draw a rectangle; OpenGL counts from -1 to 1 across the window, and upwards."""
     across, up = window_size(window)
-    right, top = left + width, bottom + height
+    right = left + width
+    top = bottom + height
     glColor3f(*color)
     glRectf(2 * left / across - 1, 2 * bottom / up - 1, 2 * right / across - 1, 2 * top / up - 1)
 
 
 def draw_menu(window, corner, names, mark):
     for line, name in enumerate(names):
-        x, y = corner[0], corner[1] - LINE * (line + 1)
+        x = corner[0]
+        y = corner[1] - LINE * (line + 1)
         shade = (0.3, 0.55, 0.6) if line == mark else (0.27, 0.32, 0.38)
         draw_box(window, x, y, ACROSS - 2, LINE - 2, shade)
         write(x + 10, y + 3, LABELS[name])
@@ -108,12 +116,15 @@ def draw_menu(window, corner, names, mark):
 def draw(window):
     glViewport(0, 0, *glfw.get_framebuffer_size(window))
     side = SIZES[size]
-    left, bottom = place[0] - side / 2, place[1] - side / 2
+    left = place[0] - side / 2
+    bottom = place[1] - side / 2
     draw_box(window, left, bottom, side, side, COLORS[color])
+
     for number, button in enumerate(BUTTONS):
         pressed = glfw.get_mouse_button(window, button) == glfw.PRESS
         shade = (0.95, 0.9, 0.8) if pressed else (0.45, 0.5, 0.57)
         write(16 + 100 * number, 16, LABELS[BUTTON_NAMES[number]], shade)
+
     if opened:
         draw_menu(window, opened, [name for name, _lines in MENU], marked)
         if marked is not None and MENU[marked][1]:
@@ -160,18 +171,25 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("A popup menu"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glfw.set_mouse_button_callback(window, on_button)
     glfw.set_cursor_pos_callback(window, on_move)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(window)
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

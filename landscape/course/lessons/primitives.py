@@ -13,6 +13,7 @@ Keys: Left and Right change the number of vertices; Space changes their order.
 # keys: LEFT RIGHT SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -57,7 +58,8 @@ def draw():
     scale = height // 480 or height / 480  # of the pixels that write counts in
     glPointSize(height / 80)
     glLineWidth(height / 240)
-    across, up = width / 4 / scale, height / 3 / scale  # a cell of the grid, as write counts
+    across = width / 4 / scale  # a cell of the grid, as write counts
+    up = height / 3 / scale
     for kind, name, column, row in KINDS:
         glViewport(column * width // 4, row * height // 3, width // 4, height // 3)
         glLoadIdentity()
@@ -83,25 +85,34 @@ def on_key(window, key, scancode, action, mods):
     global count, around
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        count = max(1, min(count + (1 if key == glfw.KEY_RIGHT else -1), 8))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        count = max(1, count - 1)
+    elif key == glfw.KEY_RIGHT:
+        count = min(8, count + 1)
+    elif key == glfw.KEY_SPACE:
         around = not around
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Primitives"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

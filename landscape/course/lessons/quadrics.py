@@ -15,6 +15,7 @@ Left and Right change the number of pieces.
 # keys: 2 3 1 N SPACE LEFT RIGHT
 # programs: file_texture
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -26,7 +27,8 @@ from text import _, write
 STYLES = ((GLU_FILL, "GLU_FILL"), (GLU_LINE, "GLU_LINE"), (GLU_POINT, "GLU_POINT"))
 NORMALS = ((GLU_SMOOTH, "GLU_SMOOTH"), (GLU_FLAT, "GLU_FLAT"), (GLU_NONE, "GLU_NONE"))
 LABELS = ("gluSphere", "gluCylinder", "a cone", "gluDisk", "gluPartialDisk")
-style = normals = 0
+style = 0
+normals = 0
 textured = True
 slices = 24
 
@@ -84,21 +86,28 @@ def on_key(window, key, scancode, action, mods):
     global normals, slices, style, textured
     if action == glfw.RELEASE:
         return
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + 3:
         style = key - glfw.KEY_1
-    if key == glfw.KEY_N:
+    elif key == glfw.KEY_N:
         normals = (normals + 1) % 3
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         textured = not textured
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        slices = max(4, min(slices + (4 if key == glfw.KEY_RIGHT else -4), 48))
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_LEFT:
+        slices = max(4, slices - 4)
+    elif key == glfw.KEY_RIGHT:
+        slices = min(48, slices + 4)
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Quadrics"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
@@ -108,6 +117,7 @@ def main():
     glMaterialfv(GL_BACK, GL_AMBIENT_AND_DIFFUSE, (0.25, 0.6, 0.6, 1))
     glClearColor(0.13, 0.16, 0.21, 1)
     make_texture()
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -123,6 +133,7 @@ def main():
         for number, label in enumerate(LABELS):
             x, y = place(number)
             write(-5 * len(_(label)), -4, label, (0.95, 0.9, 0.8), at=(x, y - 1.25, 0))
+
         write(16, 40, "{style}, {normals}", style=STYLES[style][1], normals=NORMALS[normals][1])
         write(16, 16, "{slices} slices", slices=slices)
         glfw.swap_buffers(window)

@@ -13,6 +13,7 @@ Keys: 1 leaves the normals alone; 2 enables GL_RESCALE_NORMAL; 3 enables GL_NORM
 # keys: 1 2
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -33,7 +34,8 @@ def draw_sphere(radius):
     for n in range(32):
         glBegin(GL_QUAD_STRIP)
         for m in range(17):
-            height, ring = math.cos(m * math.pi / 16), math.sin(m * math.pi / 16)
+            height = math.cos(m * math.pi / 16)
+            ring = math.sin(m * math.pi / 16)
             for side in (n + 1, n):
                 angle = side * math.pi / 16
                 x = ring * math.cos(angle)
@@ -60,21 +62,27 @@ def draw_balls():
 
 def on_key(window, key, scancode, action, mods):
     global mode
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + 3:
         mode = MODES[key - glfw.KEY_1]
     if key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Scale"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
         glEnable(capability)
     glClearColor(0.13, 0.16, 0.21, 1)
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.85, 0.35, 0.2, 1))
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -86,13 +94,17 @@ def main():
         glLightfv(GL_LIGHT0, GL_POSITION, (-0.5, 0.8, 1, 0))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         for capability in (GL_RESCALE_NORMAL, GL_NORMALIZE):
-            (glEnable if mode == capability else glDisable)(capability)
+            if mode == capability:
+                glEnable(capability)
+            else:
+                glDisable(capability)
         draw_balls()
         glLoadIdentity()
         for n, scale in enumerate(SCALES):
             x, y = place(n)
             label = "{}, {}, {}".format(*scale)
             write(-5 * len(label), -8, label, at=(x, y - 1.3, 0))
+
         write(16, 16, LABELS[mode])
         glfw.swap_buffers(window)
         glfw.poll_events()

@@ -14,6 +14,7 @@ angle.
 # keys: LEFT RIGHT UP DOWN D F
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -21,7 +22,10 @@ from text import _, write
 
 WIDTH = 3  # of the picture, in the units of the scene
 angle = 60  # degrees
-x, z = 1.75, 5.5  # of P
+
+# The point P.
+x = 1.75
+z = 5.5
 
 GREY = (0.45, 0.5, 0.57)
 AMBER = (0.95, 0.62, 0.35)
@@ -50,6 +54,11 @@ def draw_section(d, image):
     arc = [math.radians(angle / 2 * n / 12) for n in range(13)]
     draw_shape(GL_LINE_STRIP, [(math.cos(a), math.sin(a)) for a in arc], (0.4, 0.8, 0.8))
     draw_shape(GL_POINTS, ((0, 0), (d, 0), (d, half), (z, x), (d, image)), CREAM)
+    write_names(d, image)
+
+
+def write_names(d, image):
+    half = WIDTH / 2
     write(-18, -24, "O", at=(0, 0, 0))
     write(4, -24, "A", at=(d, 0, 0))
     write(6, 4, "B", at=(d, half, 0))
@@ -85,27 +94,40 @@ def on_key(window, key, scancode, action, mods):
     global angle, x, z
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        z = max(4.0, min(z + (0.5 if key == glfw.KEY_RIGHT else -0.5), 7.5))
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        x = max(0.5, min(x + (0.25 if key == glfw.KEY_UP else -0.25), 2.0))
-    if key in (glfw.KEY_D, glfw.KEY_F):
-        angle = max(45, min(angle + (5 if key == glfw.KEY_F else -5), 90))
-    if key == glfw.KEY_ESCAPE:
+    if key == glfw.KEY_LEFT:
+        z = max(4.0, z - 0.5)
+    elif key == glfw.KEY_RIGHT:
+        z = min(7.5, z + 0.5)
+    elif key == glfw.KEY_DOWN:
+        x = max(0.5, x - 0.25)
+    elif key == glfw.KEY_UP:
+        x = min(2.0, x + 0.25)
+    elif key == glfw.KEY_D:
+        angle = max(45, angle - 5)
+    elif key == glfw.KEY_F:
+        angle = min(90, angle + 5)
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Similar triangles"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

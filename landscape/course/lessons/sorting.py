@@ -15,6 +15,7 @@ Keys: Space leaves out the sort; T switches from blending to the alpha test.
 
 import math
 import random
+import sys
 from pathlib import Path
 
 import glfw
@@ -22,14 +23,26 @@ from OpenGL.GL import *
 from PIL import Image
 from text import _, write
 
-sort, alpha_test = True, False
-chance = random.Random(7)
-TREES = []  # x, z, height
-while len(TREES) < 70:
-    angle, radius = chance.uniform(0, 2 * math.pi), 7 * math.sqrt(chance.random())
-    tree = radius * math.cos(angle), radius * math.sin(angle), chance.uniform(1.8, 3)
-    if all(math.dist(tree[:2], other[:2]) > 0.8 for other in TREES):
-        TREES.append(tree)
+sort = True
+alpha_test = False
+
+
+def plant_trees():
+    """Return x, z and height of seventy trees at random, none too close to another."""
+    chance = random.Random(7)
+    trees = []
+    while len(trees) < 70:
+        angle = chance.uniform(0, 2 * math.pi)
+        radius = 7 * math.sqrt(chance.random())
+        x = radius * math.cos(angle)
+        z = radius * math.sin(angle)
+        height = chance.uniform(1.8, 3)
+        if all(math.dist((x, z), other[:2]) > 0.8 for other in trees):
+            trees.append((x, z, height))
+    return trees
+
+
+TREES = plant_trees()
 
 
 def load_tree():
@@ -49,7 +62,8 @@ def draw_trees():
     def depth(tree):
         return matrix[0, 2] * tree[0] + matrix[2, 2] * tree[1] + matrix[3, 2]
 
-    right_x, right_z = matrix[0, 0], matrix[2, 0]  # the first row: the screen's right
+    right_x = matrix[0, 0]  # the first row: the screen's right
+    right_z = matrix[2, 0]
     glEnable(GL_TEXTURE_2D)
     glEnable(GL_ALPHA_TEST if alpha_test else GL_BLEND)
     glColor3f(1, 1, 1)
@@ -75,17 +89,38 @@ def draw_ground():
     glEnd()
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 0.8, 60)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, -0.8, -11)
+    glRotatef(12, 1, 0, 0)
+    glRotatef(10 * glfw.get_time(), 0, 1, 0)
+
+
 def on_key(window, key, scancode, action, mods):
     global sort, alpha_test
-    if action == glfw.PRESS:
-        sort ^= key == glfw.KEY_SPACE
-        alpha_test ^= key == glfw.KEY_T
-        glfw.set_window_should_close(window, key == glfw.KEY_ESCAPE)
+    if action != glfw.PRESS:
+        return
+    if key == glfw.KEY_SPACE:
+        sort = not sort
+    elif key == glfw.KEY_T:
+        alpha_test = not alpha_test
+    elif key == glfw.KEY_ESCAPE:
+        glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Sorting"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.95, 0.85, 0.75, 1)
@@ -93,20 +128,13 @@ def main():
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
     glAlphaFunc(GL_GREATER, 0.5)
     load_tree()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 0.8, 60)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, -0.8, -11)
-        glRotatef(12, 1, 0, 0)
-        glRotatef(10 * glfw.get_time(), 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_ground()
         draw_trees()
+
         write(16, 40, "sorted" if sort else "not sorted")
         write(16, 16, "alpha test" if alpha_test else "blending")
         glfw.swap_buffers(window)

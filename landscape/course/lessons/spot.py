@@ -13,6 +13,7 @@ Keys: Left and Right change the cutoff, Up and Down the exponent; Space makes th
 # keys: LEFT RIGHT UP DOWN SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -27,7 +28,8 @@ cells = 90
 def aim_lights(time):
     for n, light in enumerate(LIGHTS):
         angle = n * math.tau / 3 + time * math.pi / 2
-        x, y = 0.6 * math.cos(angle), 0.6 * math.sin(angle)
+        x = 0.6 * math.cos(angle)
+        y = 0.6 * math.sin(angle)
         glLightfv(light, GL_POSITION, (2 * x, 2 * y, 4, 1))
         glLightfv(light, GL_SPOT_DIRECTION, (-x, -y, -4))  # to a point beside the middle
         glLightfv(light, GL_DIFFUSE, [float(n == channel) for channel in range(3)] + [1])
@@ -47,23 +49,43 @@ def draw_wall():
         glEnd()
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, 0.3, -6.8)
+    glRotatef(-25, 1, 0, 0)
+
+
 def on_key(window, key, scancode, action, mods):
     global cells, cutoff, exponent
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        cutoff = max(2, min(60, cutoff + (4 if key == glfw.KEY_RIGHT else -4)))
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        exponent = max(0, min(128, exponent + (8 if key == glfw.KEY_UP else -8)))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        cutoff = max(2, cutoff - 4)
+    elif key == glfw.KEY_RIGHT:
+        cutoff = min(60, cutoff + 4)
+    elif key == glfw.KEY_DOWN:
+        exponent = max(0, exponent - 8)
+    elif key == glfw.KEY_UP:
+        exponent = min(128, exponent + 8)
+    elif key == glfw.KEY_SPACE:
         cells = 96 - cells
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Spots"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_LIGHTING, *LIGHTS):
@@ -71,19 +93,13 @@ def main():
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.95, 0.95, 0.95, 1))
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (0.1, 0.12, 0.15, 1))
     glClearColor(0.06, 0.07, 0.09, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 3, width / height / 3, -1 / 3, 1 / 3, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0, 0.3, -6.8)
-        glRotatef(-25, 1, 0, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT)
         aim_lights(glfw.get_time())
         draw_wall()
+
         write(16, 64, "cutoff {cutoff}°", cutoff=cutoff)
         write(16, 40, "exponent {exponent}", exponent=exponent)
         write(16, 16, "mesh of {cells} × {cells} quads", cells=cells)

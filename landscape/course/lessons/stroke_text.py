@@ -14,6 +14,8 @@ Keys: Up and Down roll the text; Left and Right change the width of the lines; S
 # loop: 360 frames
 # keys: UP DOWN LEFT RIGHT SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from OpenGL.GLU import gluPerspective
@@ -22,11 +24,33 @@ from text import _, write
 # The strokes of a letter, separated by spaces; each is a line over points of a grid: ABC the top of
 # the letter, DEF, GHI, JKL, MNO its base line
 STROKES = {
-    **{"A": "MDBFO GI", "B": "MABFHLNM GH", "C": "CBDJNO", "D": "MABFLNM", "E": "CAMO GH"},
-    **{"F": "CAM GH", "G": "CBDJNLIH", "H": "AM CO GI", "I": "AC BN MO", "J": "CLNJ"},
-    **{"K": "AM CGO", "L": "AMO", "M": "MAHCO", "N": "MAOC", "O": "BDJNLFB", "P": "MABFHG"},
-    **{"Q": "BDJNLFB KO", "R": "MABFHG HO", "S": "CBDHLNM", "T": "AC BN", "U": "AJNLC"},
-    **{"V": "ANC", "W": "AMHOC", "X": "AO CM", "Y": "AHC HN", "Z": "ACMO", " ": ""},
+    " ": "",
+    "A": "MDBFO GI",
+    "B": "MABFHLNM GH",
+    "C": "CBDJNO",
+    "D": "MABFLNM",
+    "E": "CAMO GH",
+    "F": "CAM GH",
+    "G": "CBDJNLIH",
+    "H": "AM CO GI",
+    "I": "AC BN MO",
+    "J": "CLNJ",
+    "K": "AM CGO",
+    "L": "AMO",
+    "M": "MAHCO",
+    "N": "MAOC",
+    "O": "BDJNLFB",
+    "P": "MABFHG",
+    "Q": "BDJNLFB KO",
+    "R": "MABFHG HO",
+    "S": "CBDHLNM",
+    "T": "AC BN",
+    "U": "AJNLC",
+    "V": "ANC",
+    "W": "AMHOC",
+    "X": "AO CM",
+    "Y": "AHC HN",
+    "Z": "ACMO",
 }
 POINTS = {chr(65 + n): (n % 3, 4 - n // 3) for n in range(15)}
 WIDTH = 3.2  # from one letter to the next, in the units of the grid
@@ -41,7 +65,8 @@ LABELS = (
     "LIKE ANY SHAPE",
 )
 lists = 0  # the display list of the character with code 0
-rolled, width = 0, 2
+rolled = 0
+width = 2
 dashed = False
 
 
@@ -81,6 +106,7 @@ def draw(wide, high):
     if dashed:
         glEnable(GL_LINE_STIPPLE)
     glLineStipple(max(1, round(high / 240)), 0x0FFF)
+
     for number, text in enumerate(map(_, LABELS)):
         glPushMatrix()
         glTranslatef(-WIDTH * len(text) / 2, -8 * number, 0)
@@ -97,27 +123,39 @@ def on_key(window, key, scancode, action, mods):
     global dashed, rolled, width
     if action == glfw.RELEASE:
         return
-    rolled += 2 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    width += (key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT)
-    width = max(1, min(width, 8))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_DOWN:
+        rolled -= 2
+    elif key == glfw.KEY_UP:
+        rolled += 2
+    elif key == glfw.KEY_LEFT:
+        width = max(1, width - 1)
+    elif key == glfw.KEY_RIGHT:
+        width = min(8, width + 1)
+    elif key == glfw.KEY_SPACE:
         dashed = not dashed
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Stroke text"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     make_letters()
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -15,6 +15,7 @@ angle; Space scales the shape by 1.4, 0.6, 1.
 # programs: wire_teapot
 
 import math
+import sys
 from pathlib import Path
 
 import glfw
@@ -26,8 +27,12 @@ from text import _, write
 PATCHES = np.loadtxt(Path(__file__).parent / "data" / "teapot.txt").reshape(32, 4, 4, 3)
 CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 LABELS = ("cube", "sphere", "teapot")
-shape = 2
-turn, lift = 35, 25  # of the eye: degrees around the shape, degrees above it
+CUBE, SPHERE, TEAPOT = range(3)
+shape = TEAPOT
+
+# The eye: degrees around the shape, and degrees above it.
+turn = 35
+lift = 25
 angle = 40  # of the view, from its lower to its upper edge; degrees
 scaled = False
 
@@ -48,7 +53,8 @@ def draw_sphere(radius, slices, stacks):
             around = math.tau * n / slices
             for polar in (math.pi * (stack + 1) / stacks, math.pi * stack / stacks):
                 ring = radius * math.sin(polar)
-                x, y = ring * math.cos(around), ring * math.sin(around)
+                x = ring * math.cos(around)
+                y = ring * math.sin(around)
                 glVertex3f(x, y, radius * math.cos(polar))
         glEnd()
 
@@ -72,20 +78,26 @@ def set_projection(window, width, height):
     glMatrixMode(GL_MODELVIEW)
 
 
+def eye_place():
+    """Return the place of the eye, 7 units from the middle."""
+    away = 7 * math.cos(math.radians(lift))
+    up = 7 * math.sin(math.radians(lift))
+    around = math.radians(turn)
+    return away * math.sin(around), up, away * math.cos(around)
+
+
 def draw(height):
     glLoadIdentity()
-    away, up = 7 * math.cos(math.radians(lift)), 7 * math.sin(math.radians(lift))
-    around = math.radians(turn)
-    eye = away * math.sin(around), up, away * math.cos(around)
+    eye = eye_place()
     gluLookAt(*eye, 0, 0, 0, 0, 1, 0)  # the eye, the target, the direction up
     if scaled:
         glScalef(1.4, 0.6, 1)
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
     glLineWidth(height / 240)
     glColor3f(0.95, 0.72, 0.5)
-    if shape == 0:
+    if shape == CUBE:
         draw_cube(2)
-    elif shape == 1:
+    elif shape == SPHERE:
         draw_sphere(1.3, 24, 12)
     else:
         draw_teapot(1.5)
@@ -101,33 +113,49 @@ def on_key(window, key, scancode, action, mods):
     global angle, lift, scaled, shape, turn
     if action == glfw.RELEASE:
         return
-    if key - glfw.KEY_1 in range(3):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         shape = key - glfw.KEY_1
-    turn += 10 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    lift += 5 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    lift = max(-80, min(lift, 80))
-    if key in (glfw.KEY_F, glfw.KEY_C):
-        angle = max(20, min(angle + (5 if key == glfw.KEY_F else -5), 100))
-        set_projection(window, *glfw.get_framebuffer_size(window))
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_LEFT:
+        turn -= 10
+    elif key == glfw.KEY_RIGHT:
+        turn += 10
+    elif key == glfw.KEY_UP:
+        lift = min(80, lift + 5)
+    elif key == glfw.KEY_DOWN:
+        lift = max(-80, lift - 5)
+    elif key == glfw.KEY_F:
+        angle = min(100, angle + 5)
+    elif key == glfw.KEY_C:
+        angle = max(20, angle - 5)
+    elif key == glfw.KEY_SPACE:
         scaled = not scaled
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
+
+    if key in (glfw.KEY_F, glfw.KEY_C):
+        set_projection(window, *glfw.get_framebuffer_size(window))
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The teapot"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glfw.set_framebuffer_size_callback(window, set_projection)
     set_projection(window, *glfw.get_framebuffer_size(window))  # the first size is no change
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(glfw.get_framebuffer_size(window)[1])
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -13,6 +13,8 @@ Keys: Left and Right turn the body; Up and Down choose a face; Space reverses it
 # keys: LEFT RIGHT UP DOWN SPACE
 # programs: mesh
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -78,15 +80,22 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The tetrahedron"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

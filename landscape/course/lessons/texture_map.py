@@ -15,6 +15,7 @@ alone.
 # keys: LEFT RIGHT UP DOWN 2 3 4 1 SPACE
 
 import math
+import sys
 from pathlib import Path
 
 import glfw
@@ -24,7 +25,10 @@ from text import _, write
 
 LABELS = ("a sphere", "a cylinder", "a torus", "a sheet")
 surface = 0
-s, t = 0.6, 0.65
+
+# The texture coordinates of the mark.
+s = 0.6
+t = 0.65
 textured = True
 picture = 0, 0  # texels
 
@@ -38,7 +42,8 @@ def flat(s, t):
 
 
 def sphere(s, t):
-    longitude, latitude = math.tau * s, math.pi * (t - 0.5)
+    longitude = math.tau * s
+    latitude = math.pi * (t - 0.5)
     ring = math.cos(latitude)
     return ring * math.sin(longitude), math.sin(latitude), ring * math.cos(longitude)
 
@@ -49,7 +54,8 @@ def cylinder(s, t):
 
 
 def torus(s, t):
-    around, across = math.tau * s, math.tau * t
+    around = math.tau * s
+    across = math.tau * t
     ring = 0.75 - 0.35 * math.cos(across)
     return ring * math.sin(around), -0.35 * math.sin(across), ring * math.cos(around)
 
@@ -90,13 +96,16 @@ def draw_surface(function, columns, rows):
 
 def draw_mark(function):
     """Draw the lines of equal s and of equal t, and the point in which they meet."""
-    for color, ends in ((CORAL, ((s, 0), (s, 1))), (TEAL, ((0, t), (1, t)))):
-        (s0, t0), (s1, t1) = ends
-        glColor3f(*color)
-        glBegin(GL_LINE_STRIP)
-        for n in range(65):
-            glVertex3f(*function(s0 + (s1 - s0) * n / 64, t0 + (t1 - t0) * n / 64))
-        glEnd()
+    glColor3f(*CORAL)
+    glBegin(GL_LINE_STRIP)
+    for n in range(65):
+        glVertex3f(*function(s, n / 64))
+    glEnd()
+    glColor3f(*TEAL)
+    glBegin(GL_LINE_STRIP)
+    for n in range(65):
+        glVertex3f(*function(n / 64, t))
+    glEnd()
     glColor3f(*CREAM)
     glBegin(GL_POINTS)
     glVertex3f(*function(s, t))
@@ -112,7 +121,8 @@ def set_projection(left, right, bottom, top):
 
 
 def draw(width, height):
-    bottom, middle = int(88 * (height // 480 or height / 480)), width // 2  # above the text
+    bottom = int(88 * (height // 480 or height / 480))  # above the text
+    middle = width // 2
     upper = height - bottom
     glLineWidth(height / 200)
     glPointSize(height / 48)
@@ -150,28 +160,41 @@ def on_key(window, key, scancode, action, mods):
     global s, surface, t, textured
     if action == glfw.RELEASE:
         return
-    s = (s + 0.05 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))) % 1
-    t = max(0, min(t + 0.05 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)), 1))
-    if key - glfw.KEY_1 in range(4):
+    if key == glfw.KEY_LEFT:
+        s = (s - 0.05) % 1
+    elif key == glfw.KEY_RIGHT:
+        s = (s + 0.05) % 1
+    elif key == glfw.KEY_UP:
+        t = min(1, t + 0.05)
+    elif key == glfw.KEY_DOWN:
+        t = max(0, t - 0.05)
+    elif glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
         surface = key - glfw.KEY_1
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         textured = not textured
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The texture map"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     make_texture()
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -14,6 +14,7 @@ Keys: 1 to 6 delete a texture, and make it again; Space leaves out glBindTexture
 # keys: 1 2 3 SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -37,7 +38,8 @@ def make_texels():
     texels = bytearray()
     for row in range(SIZE):
         for column in range(SIZE):
-            x, y = (column + 0.5) * 2 / SIZE - 1, (row + 0.5) * 2 / SIZE - 1
+            x = (column + 0.5) * 2 / SIZE - 1
+            y = (row + 0.5) * 2 / SIZE - 1
             light = max(0.0, 1 - math.hypot(x + 0.3, y - 0.3) / 1.3)
             alpha = min(1.0, max(0.0, 6 * (0.9 - math.hypot(x, y))))
             color = (250 * light, 90 + 110 * (row / SIZE) * light, 200 * (1 - light))
@@ -75,11 +77,7 @@ def delete_texture(number):
 
 def draw_panel(x, y, size):
     """Draw a chessboard, and the texture over it, by alpha."""
-    for row in range(6):
-        for column in range(6):
-            glColor3f(*((0.3, 0.36, 0.42) if (row + column) % 2 else (0.42, 0.48, 0.54)))
-            left, low = x + size * column / 6, y + size * row / 6
-            glRectf(left, low, left + size / 6, low + size / 6)
+    draw_board(x, y, size)
     glEnable(GL_TEXTURE_2D)
     glEnable(GL_BLEND)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
@@ -93,18 +91,29 @@ def draw_panel(x, y, size):
     glDisable(GL_TEXTURE_2D)
 
 
+def draw_board(x, y, size):
+    for row in range(6):
+        for column in range(6):
+            glColor3f(*((0.3, 0.36, 0.42) if (row + column) % 2 else (0.42, 0.48, 0.54)))
+            left = x + size * column / 6
+            low = y + size * row / 6
+            glRectf(left, low, left + size / 6, low + size / 6)
+
+
 def draw(width, height):
     glViewport(0, 0, width, height)
     glLoadIdentity()
     glOrtho(0, 480 * width / height, 0, 480, -1, 1)
     for number, (_format, name) in enumerate(FORMATS):
-        x, y = 30 + 208 * (number % 3), 285 - 215 * (number // 3)
+        x = 30 + 208 * (number % 3)
+        y = 285 - 215 * (number // 3)
         if bound:
             glBindTexture(GL_TEXTURE_2D, textures[number])
         draw_panel(x, y, 160)
         write(0, -24, "{key}: {name}", at=(x, y, 0), key=number + 1, name=name)
         if not textures[number]:
             write(40, 70, "deleted", (0.4, 0.2, 0.1), at=(x, y, 0))
+
     if bound:
         write(16, 8, "bound before each panel", (0.6, 0.65, 0.7))
     else:
@@ -115,28 +124,35 @@ def on_key(window, key, scancode, action, mods):
     global bound
     if action != glfw.PRESS:
         return
-    if key - glfw.KEY_1 in range(6):
+    if glfw.KEY_1 <= key < glfw.KEY_1 + len(FORMATS):
         number = key - glfw.KEY_1
         (delete_texture if textures[number] else make_texture)(number)
-    if key == glfw.KEY_SPACE:
+    elif key == glfw.KEY_SPACE:
         bound = not bound
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Texture objects"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     for number in range(6):
         make_texture(number)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

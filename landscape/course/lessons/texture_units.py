@@ -13,6 +13,7 @@ Keys: 1 and 2 switch the units; Space changes how unit 1 combines its texture.
 # loop: 240 frames
 # keys: 1 2 SPACE
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -51,7 +52,8 @@ def make_ground():
         glBegin(GL_TRIANGLE_STRIP)
         for column in range(0, side + 1, STEP):
             for z in (row, row + STEP):
-                s, t = column / side, z / side
+                s = column / side
+                t = z / side
                 glMultiTexCoord2f(GL_TEXTURE0, s, t)
                 glMultiTexCoord2f(GL_TEXTURE1, REPEAT * s, REPEAT * t)
                 height = max(0.12, image.getpixel((column, z)) / 65535)
@@ -61,21 +63,40 @@ def make_ground():
     return ground
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 50, width / height / 50, -0.02, 0.02, 0.04, 10)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glRotatef(9, 1, 0, 0)
+    glTranslatef(0, -0.25, -0.7)
+    glRotatef(-6 * glfw.get_time(), 0, 1, 0)
+
+
 def on_key(window, key, scancode, action, mods):
     global mode
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_1, glfw.KEY_2):
-        switched_on[key - glfw.KEY_1] ^= True
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_1:
+        switched_on[0] = not switched_on[0]
+    elif key == glfw.KEY_2:
+        switched_on[1] = not switched_on[1]
+    elif key == glfw.KEY_SPACE:
         mode = (mode + 1) % len(MODES)
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Texture units"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.6, 0.75, 0.88, 1)
@@ -87,27 +108,24 @@ def main():
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_MODULATE)
     glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 2)
     ground = make_ground()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 50, width / height / 50, -0.02, 0.02, 0.04, 10)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glRotatef(9, 1, 0, 0)
-        glTranslatef(0, -0.25, -0.7)
-        glRotatef(-6 * glfw.get_time(), 0, 1, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         for unit in (0, 1):
             glActiveTexture(GL_TEXTURE0 + unit)
-            (glEnable if switched_on[unit] else glDisable)(GL_TEXTURE_2D)
+            if switched_on[unit]:
+                glEnable(GL_TEXTURE_2D)
+            else:
+                glDisable(GL_TEXTURE_2D)
+
         # Unit 1 is still the active one: its mode says how its texture meets the colour of unit 0.
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, MODES[mode])
         glColor3f(*(1, 1, 1) if switched_on[0] else (0.5, 0.5, 0.5))
         glCallList(ground)
         glDisable(GL_TEXTURE_2D)
         glActiveTexture(GL_TEXTURE0)
+
         dark = 0, 0.05, 0.15  # against the sky
         write(16, 440, "unit 0: GL_MODULATE" if switched_on[0] else "unit 0: off", dark)
         write(16, 416, LABELS[mode] if switched_on[1] else "unit 1: off", dark)

@@ -13,6 +13,7 @@ Keys: the arrows turn the planet; Space lets the last column share the first one
 # keys: LEFT RIGHT UP DOWN SPACE
 
 import math
+import sys
 from pathlib import Path
 
 import glfw
@@ -21,7 +22,8 @@ from PIL import Image
 from text import _, write
 
 COLUMNS, ROWS = 36, 24
-turned, tilted = 0, 20  # degrees
+turned = 0  # degrees
+tilted = 20
 seam = True  # the last column has vertices of its own
 
 
@@ -42,13 +44,28 @@ def draw_planet():
             angle = column * math.tau / COLUMNS
             s = column / COLUMNS if seam else column % COLUMNS / COLUMNS
             for t in (row / ROWS, (row + 1) / ROWS):
-                ring, y = math.sin(t * math.pi), math.cos(t * math.pi)
-                x, z = ring * math.cos(angle), -ring * math.sin(angle)
+                ring = math.sin(t * math.pi)
+                x = ring * math.cos(angle)
+                y = math.cos(t * math.pi)
+                z = -ring * math.sin(angle)
                 glTexCoord2f(s, t)
                 glNormal3f(x, y, z)
                 glVertex3f(x, y, z)
         glEnd()
     glDisable(GL_TEXTURE_2D)
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, (-0.7, 0.5, 1, 0))
+    glTranslatef(0, 0.05, -4.6)
+    glRotatef(tilted, 1, 0, 0)
+    glRotatef(turned - 80, 0, 1, 0)  # the seam is in sight
 
 
 def on_key(window, key, scancode, action, mods):
@@ -64,8 +81,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("A texture on a sphere"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
@@ -73,20 +95,12 @@ def main():
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (1, 1, 1, 1))  # the texture has the colors
     glClearColor(0.04, 0.05, 0.08, 1)
     make_texture()
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 4, width / height / 4, -0.25, 0.25, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glLightfv(GL_LIGHT0, GL_POSITION, (-0.7, 0.5, 1, 0))
-        glTranslatef(0, 0.05, -4.6)
-        glRotatef(tilted, 1, 0, 0)
-        glRotatef(turned - 80, 0, 1, 0)  # the seam is in sight
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_planet()
+
         write(16, 40, "turned {turned}°, tilted {tilted}°", turned=turned, tilted=tilted)
         write(16, 16, "last column: s = 1" if seam else "last column: s = 0")
         glfw.swap_buffers(window)

@@ -12,6 +12,8 @@ Keys: Left and Right change the angle; Space turns about the y axis instead of z
 # picture: frame 0
 # keys: LEFT RIGHT SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -81,7 +83,8 @@ def draw_house():
     shades = ((0.55, 0.36, 0.2), (0.75, 0.5, 0.28), (0.85, 0.35, 0.2), (0.7, 0.28, 0.16))
     glBegin(GL_QUADS)
     for number, shade in enumerate((*shades, (0.55, 0.36, 0.2))):
-        (x0, y0), (x1, y1) = wall[number], wall[(number + 1) % 5]
+        x0, y0 = wall[number]
+        x1, y1 = wall[(number + 1) % 5]
         glColor3f(*shade)
         for x, y, z in ((x0, y0, 0.5), (x0, y0, -0.5), (x1, y1, -0.5), (x1, y1, 0.5)):
             glVertex3f(x, y, z)
@@ -120,26 +123,35 @@ def on_key(window, key, scancode, action, mods):
     global angle, axis
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        angle += 10 if key == glfw.KEY_RIGHT else -10
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        angle -= 10
+    elif key == glfw.KEY_RIGHT:
+        angle += 10
+    elif key == glfw.KEY_SPACE:
         axis = (0, 1, 0) if axis == (0, 0, 1) else (0, 0, 1)
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Three turns"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

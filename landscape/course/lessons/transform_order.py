@@ -11,6 +11,8 @@ Keys: Left and Right change the angle; Space swaps the two calls.
 # picture: frame 0
 # keys: LEFT RIGHT SPACE
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -83,12 +85,18 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Transform order"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_DEPTH_TEST)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -108,6 +116,7 @@ def main():
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
         place_block(angle)
         draw_block(((0.85, 0.35, 0.2), (0.95, 0.9, 0.8), (0.95, 0.62, 0.35)))
+
         write(16, 40 if swapped else 16, "glRotatef({angle}, 0, 1, 0)", angle=angle)
         write(16, 16 if swapped else 40, "glTranslatef(3, 0, 0)")
         glfw.swap_buffers(window)

@@ -12,6 +12,7 @@ Keys: Up and Down change the number of vertices of the hexagon; Space sets only 
 # keys: UP DOWN SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -75,14 +76,21 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The triangle"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
+
     while not glfw.window_should_close(window):
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

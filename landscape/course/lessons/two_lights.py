@@ -15,6 +15,7 @@ Keys: the arrows lead the camera around; Space gives the position before or afte
 # programs: light_of_camera light_of_world
 
 import math
+import sys
 from pathlib import Path
 
 import glfw
@@ -26,7 +27,9 @@ from text import _, write
 PATCHES = np.loadtxt(Path(__file__).parent / "data" / "teapot.txt").reshape(32, 4, 4, 3)
 DIRECTION = (0, 0, 1, 0)
 DISTANCE = 6
-turn, lift = 50, 25  # of the camera: degrees around the teapot, degrees above it
+# The camera: degrees around the teapot, and degrees above it.
+turn = 50
+lift = 25
 carried = False  # the light is given in the camera's frame
 
 CAMERA_LIGHT = (1, 0.6, 0.45)
@@ -99,9 +102,11 @@ def set_projection(angle, aspect):
 
 
 def draw(width, height):
-    bottom, middle = int(64 * (height // 480 or height / 480)), width // 2  # above the text
+    bottom = int(64 * (height // 480 or height / 480))  # above the text
+    middle = width // 2
     aspect = middle / (height - bottom)
-    around, above = math.radians(turn), math.radians(lift)
+    around = math.radians(turn)
+    above = math.radians(lift)
     eye = (math.sin(around) * math.cos(above), math.sin(above), math.cos(around) * math.cos(above))
     glLineWidth(height / 240)
 
@@ -137,17 +142,28 @@ def on_key(window, key, scancode, action, mods):
     global carried, lift, turn
     if action == glfw.RELEASE:
         return
-    turn += 15 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    lift = max(-75, min(lift + 10 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN)), 75))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        turn -= 15
+    elif key == glfw.KEY_RIGHT:
+        turn += 15
+    elif key == glfw.KEY_DOWN:
+        lift = max(-75, lift - 10)
+    elif key == glfw.KEY_UP:
+        lift = min(75, lift + 10)
+    elif key == glfw.KEY_SPACE:
         carried = not carried
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("Two lights"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHT0, GL_NORMALIZE):
@@ -160,6 +176,7 @@ def main():
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 110)
     glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, True)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))

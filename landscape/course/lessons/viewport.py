@@ -13,13 +13,16 @@ Keys: the arrows change the width and the height of the viewport; Space ignores 
 # keys: LEFT RIGHT UP DOWN SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
 from text import _, write
 
 POINT = (0.5, 0.5)  # in normalised device coordinates
-across, up = 0.7, 0.5  # the size of the viewport as parts of the window
+# The size of the viewport as parts of the window.
+across = 0.7
+up = 0.5
 keep_aspect = True
 
 
@@ -38,8 +41,10 @@ def draw_wheel():
 def draw():
     width, height = glfw.get_framebuffer_size(glfw.get_current_context())
     scale = height // 480 or height / 480  # of the pixels that write counts in
-    w, h = int(across * width), int(up * height)
-    x0, y0 = (width - w) // 2, int(0.38 * height)
+    w = int(across * width)
+    h = int(up * height)
+    x0 = (width - w) // 2
+    y0 = int(0.38 * height)
 
     glViewport(x0, y0, w, h)
     glLoadIdentity()
@@ -55,7 +60,8 @@ def draw():
     glBegin(GL_POINTS)
     glVertex2f(*POINT)
     glEnd()
-    x, y = (POINT[0] + 1) * w / 2 + x0, (POINT[1] + 1) * h / 2 + y0
+    x = (POINT[0] + 1) * w / 2 + x0
+    y = (POINT[1] + 1) * h / 2 + y0
 
     glViewport(0, 0, width, height)
     write(x / scale + 8, y / scale - 8, "{x:.0f}, {y:.0f}", x=x, y=y)
@@ -71,27 +77,38 @@ def on_key(window, key, scancode, action, mods):
     global across, up, keep_aspect
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        across = max(0.4, min(across + (0.1 if key == glfw.KEY_RIGHT else -0.1), 0.9))
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        up = max(0.3, min(up + (0.05 if key == glfw.KEY_UP else -0.05), 0.55))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        across = max(0.4, across - 0.1)
+    elif key == glfw.KEY_RIGHT:
+        across = min(0.9, across + 0.1)
+    elif key == glfw.KEY_DOWN:
+        up = max(0.3, up - 0.05)
+    elif key == glfw.KEY_UP:
+        up = min(0.55, up + 0.05)
+    elif key == glfw.KEY_SPACE:
         keep_aspect = not keep_aspect
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The viewport"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)  # clears all of the window, whatever the viewport
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

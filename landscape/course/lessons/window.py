@@ -12,6 +12,8 @@ Keys: Escape ends the program.
 # keys: none
 # programs: minimal_window red_window
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -30,9 +32,15 @@ def draw():
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("A window"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)  # from here on, OpenGL draws to this window
+
     while not glfw.window_should_close(window):
         glViewport(0, 0, *glfw.get_framebuffer_size(window))  # draw to all of the window
         draw()
@@ -40,6 +48,7 @@ def main():
         glfw.poll_events()  # the close button, a new size, keys
         if glfw.get_key(window, glfw.KEY_ESCAPE) == glfw.PRESS:
             glfw.set_window_should_close(window, True)
+
     glfw.terminate()
 
 

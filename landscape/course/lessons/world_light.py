@@ -13,6 +13,7 @@ Keys: Left and Right move the camera around; Space sets the direction before the
 # keys: LEFT RIGHT SPACE
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -63,6 +64,15 @@ def draw_sun():
     glEnable(GL_LIGHTING)
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glPointSize(height / 12)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glFrustum(-width / height / 2, width / height / 2, -0.5, 0.5, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+
+
 def on_key(window, key, scancode, action, mods):
     global around, fixed
     if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT) and action != glfw.RELEASE:
@@ -74,8 +84,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("A light in the world's frame"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE, GL_POINT_SMOOTH):
@@ -83,14 +98,9 @@ def main():
     glLightfv(GL_LIGHT0, GL_DIFFUSE, (1, 0.95, 0.85, 1))
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (0.3, 0.34, 0.42, 1))
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glPointSize(height / 12)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glFrustum(-width / height / 2, width / height / 2, -0.5, 0.5, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         glLoadIdentity()
         if not fixed:
@@ -102,6 +112,7 @@ def main():
             glLightfv(GL_LIGHT0, GL_POSITION, SUN)
         draw_sun()
         draw_place()
+
         write(16, 16, "view first, then the light" if fixed else "light first, then the view")
         glfw.swap_buffers(window)
         glfw.poll_events()

@@ -14,6 +14,8 @@ leaves out the test.
 # picture: frame 0
 # keys: LEFT RIGHT SPACE T
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from text import _, write
@@ -24,7 +26,8 @@ TRIANGLES = (  # three vertices of x, y and depth each, and a colour
     (((1, 6, 8), (14.5, 0.5, 1), (15, 9, 2)), (0.25, 0.6, 0.6)),
     (((2, 11, 3), (8, 0.5, 3), (15, 11.5, 3)), (0.95, 0.72, 0.4)),
 )
-BACKGROUND, FAR = (0.2, 0.24, 0.3), 9.9
+BACKGROUND = (0.2, 0.24, 0.3)
+FAR = 9.9
 count = 3
 reverse = False
 tested = True
@@ -96,27 +99,36 @@ def on_key(window, key, scancode, action, mods):
     global count, reverse, tested
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        count = max(0, min(count + (1 if key == glfw.KEY_RIGHT else -1), 3))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        count = max(0, count - 1)
+    elif key == glfw.KEY_RIGHT:
+        count = min(3, count + 1)
+    elif key == glfw.KEY_SPACE:
         reverse = not reverse
-    if key == glfw.KEY_T:
+    elif key == glfw.KEY_T:
         tested = not tested
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit(_("GLFW cannot start: is there a screen?"))
+
     window = glfw.create_window(640, 480, _("The z-buffer by hand"), None, None)
+    if not window:
+        sys.exit(_("GLFW cannot open a window with OpenGL."))
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glClear(GL_COLOR_BUFFER_BIT)
         draw(*glfw.get_framebuffer_size(window))
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 
