@@ -2,13 +2,15 @@
 
 import ast
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pictures
 import pytest
-from commands import Shell, landscape, refused
+from commands import TESTS, Shell, environment, landscape, refused
 from PIL import Image
 from starting import Starter
 from test_window import screen, xdotool
@@ -23,6 +25,7 @@ from landscape.course.ladder import (
     Lesson,
     lesson,
     presses,
+    program_files,
     read,
 )
 from landscape.course.pages import page
@@ -389,3 +392,22 @@ def test_what_cannot_be_done_is_told_in_one_line(
 def test_without_a_screen_a_lesson_says_how_to_see_it() -> None:
     done = landscape("lesson", "text")
     assert done.status == 3 and "--out FILE.png" in done.err and done.err.count("\n") == 1
+
+
+@pytest.mark.posix_only("there is always a screen")
+def test_a_copied_lesson_without_a_screen_ends_with_one_line_and_does_not_abort() -> None:
+    files = [lesson(name).file for name in NAMES]
+    files += [program_files(program)[0] for name in NAMES for program in lesson(name).programs]
+    done = subprocess.run(
+        [sys.executable, TESTS / "without_screen.py", *files],
+        capture_output=True,
+        text=True,
+        env=environment(LANG="C", LANGUAGE="en"),
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout.splitlines()[-1:]
+    said = [line.split("\t") for line in done.stdout.splitlines()]
+    assert [name for name, _start, _window in said] == [file.stem for file in files]
+    start = "GLFW cannot start: is there a screen?"
+    window = "GLFW cannot open a window with OpenGL."
+    assert [line for line in said if line[1:] != [start, window]] == []

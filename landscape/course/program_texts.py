@@ -151,13 +151,15 @@ def _joined(block: list[tokenize.TokenInfo]) -> Remark:
 def _shown(source: str) -> list[ast.Constant]:
     """Return the strings that a program shows.
 
-    They are those of a call of write(x, y, text) or _(text), the title of a window, and those of
-    the table LABELS.
+    They are those of a call of write(x, y, text) or _(text), the title of a window, that with which
+    sys.exit ends it, and those of the table LABELS.
     """
     found: list[ast.Constant] = []
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Call):
-            at = {"write": 2, "_": 0, "glfw.create_window": 2}.get(ast.unparse(node.func))
+            at = {"write": 2, "_": 0, "glfw.create_window": 2, "sys.exit": 0}.get(
+                ast.unparse(node.func)
+            )
             found += _strings(node.args[at : at + 1] if at is not None else ())
         elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "LABELS":
             found += _strings([node.value])

@@ -131,7 +131,11 @@ def classify(column, row, box):
 
 def draw(columns):
     """Return the picture, and how many lines in front of the camera are whole, cut and dropped."""
-    left, right, top, bottom = box = columns // 5, columns - columns // 5, 84, 380
+    left = columns // 5
+    right = columns - left
+    top = 84
+    bottom = 380
+    box = left, right, top, bottom
     picture = paint_regions(columns, box)
     column, row = project(look(), columns)
     kind = classify(column, row, box)

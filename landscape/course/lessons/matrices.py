@@ -81,7 +81,7 @@ def write_product(matrix):
     column = (*CORNER, 1)
     image = matrix @ column
     for line in range(4):
-        a, b, c, d = (value + 0 for value in matrix[line].round(2))  # + 0 makes 0 of -0
+        a, b, c, d = matrix[line].round(2) + 0  # + 0 makes 0 of -0
         y = 88 - 24 * line
         write(16, y, "{a:6.2f} {b:6.2f} {c:6.2f} {d:6.2f}", a=a, b=b, c=c, d=d)
         write(310, y, "{value:5.2f}", (0.95, 0.62, 0.35), value=column[line])

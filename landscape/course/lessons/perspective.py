@@ -88,10 +88,8 @@ def draw(width, height):
     bottom = int(144 * (height // 480 or height / 480))  # above the text
     half = width // 2
     aspect = half / (height - bottom)
-    if parallel:
-        top = math.tan(math.radians(angle / 2)) * 4  # as high as at the distance of the boxes
-    else:
-        top = math.tan(math.radians(angle / 2)) * near
+    distance = 4 if parallel else near  # 4: among the boxes
+    top = distance * math.tan(math.radians(angle / 2))
 
     look_from_outside(aspect)
     glViewport(0, bottom, half, height - bottom)

@@ -67,10 +67,12 @@ def draw_rings(ring, colors):
 def shadow_matrix(p, light):
     """Return M = (p.l) I - l p^T, row by row."""
     dot = sum(p[n] * light[n] for n in range(4))
-    matrix = [[-light[i] * p[j] for j in range(4)] for i in range(4)]
+    matrix = []
     for i in range(4):
-        matrix[i][i] += dot
-    return [[number + 0 for number in row] for row in matrix]  # -0 becomes 0
+        row = [-light[i] * p[j] + 0 for j in range(4)]  # + 0 makes 0 of -0
+        row[i] += dot
+        matrix.append(row)
+    return matrix
 
 
 def look(width, height):

@@ -69,7 +69,9 @@ def is_lit(points, face):
 def make_volume(points):
     """Return the quads around what a body keeps from the light; points: its corners, (8, 3)."""
     # It begins a little inside the body: of two faces in one place, the depth test finds either.
-    near, far = (points + k * (points - light()) for k in (0.001, 12))
+    away = points - light()
+    near = points + 0.001 * away
+    far = points + 12 * away
 
     lit = [face for face in FACES if is_lit(points, face)]
     edges = set()

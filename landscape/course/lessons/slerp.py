@@ -30,9 +30,9 @@ PAIRS = np.array(
     )
 )
 LABELS = ("over the vertical", "near the vertical", "level, by 210°", "far from the vertical")
-CORAL = (0.85, 0.35, 0.2)
-AMBER = (0.95, 0.7, 0.35)
-CREAM = (0.95, 0.9, 0.8)
+CORAL = np.array((0.85, 0.35, 0.2))
+AMBER = np.array((0.95, 0.7, 0.35))
+CREAM = np.array((0.95, 0.9, 0.8))
 BLUE = (0.24, 0.3, 0.37)
 
 pair = 0
@@ -89,15 +89,14 @@ def draw_globe():
 def draw_aeroplane():
     """Draw its two halves; there is no light, so each half has its shade."""
     for side, shade in ((-1, 0.7), (1, 1)):
-        cream, coral, amber = (shade * np.array(color) for color in (CREAM, CORAL, AMBER))
         body = (0, 0, -1), (0, 0.18, 0), (0, 0.06, 0.6), (0.14 * side, 0, 0.1)
         wing = (0.08 * side, 0, -0.3), (0.85 * side, 0, 0.3), (0.1 * side, 0, 0.2)
         tail = (0, 0.05, 0.35), (0.35 * side, 0.05, 0.65), (0, 0.05, 0.6)
         fin = (0.01 * side, 0.1, 0.25), (0.01 * side, 0.45, 0.65), (0.01 * side, 0.05, 0.6)
-        draw(GL_POLYGON, body, cream)
-        draw(GL_POLYGON, wing, coral)
-        draw(GL_POLYGON, tail, coral)
-        draw(GL_POLYGON, fin, amber)
+        draw(GL_POLYGON, body, shade * CREAM)
+        draw(GL_POLYGON, wing, shade * CORAL)
+        draw(GL_POLYGON, tail, shade * CORAL)
+        draw(GL_POLYGON, fin, shade * AMBER)
 
 
 def draw_flight(turns):

@@ -21,9 +21,9 @@ from OpenGL.GL import *
 from text import _, write
 
 ONE, TURN_I, TURN_J, TURN_K = np.eye(4)  # the quaternions 1, i, j and k
-CORAL = (0.85, 0.35, 0.2)
-AMBER = (0.95, 0.7, 0.35)
-CREAM = (0.95, 0.9, 0.8)
+CORAL = np.array((0.85, 0.35, 0.2))
+AMBER = np.array((0.95, 0.7, 0.35))
+CREAM = np.array((0.95, 0.9, 0.8))
 SECONDS = 2  # from attitude to attitude
 STEPS = 60  # of graph and trail between two attitudes
 
@@ -140,15 +140,14 @@ def draw_aeroplane(turn):
     w, *axis = turn
     glRotatef(2 * np.degrees(np.arccos(np.clip(w, -1, 1))), *axis)
     for side, shade in ((-1, 0.7), (1, 1)):
-        cream, coral, amber = (shade * np.array(color) for color in (CREAM, CORAL, AMBER))
         body = (0, 0, -1), (0, 0.18, 0), (0, 0.06, 0.6), (0.14 * side, 0, 0.1)
         wing = (0.08 * side, 0, -0.3), (0.85 * side, 0, 0.3), (0.1 * side, 0, 0.2)
         tail = (0, 0.05, 0.35), (0.35 * side, 0.05, 0.65), (0, 0.05, 0.6)
         fin = (0.01 * side, 0.1, 0.25), (0.01 * side, 0.45, 0.65), (0.01 * side, 0.05, 0.6)
-        draw(GL_POLYGON, body, cream)
-        draw(GL_POLYGON, wing, coral)
-        draw(GL_POLYGON, tail, coral)
-        draw(GL_POLYGON, fin, amber)
+        draw(GL_POLYGON, body, shade * CREAM)
+        draw(GL_POLYGON, wing, shade * CORAL)
+        draw(GL_POLYGON, tail, shade * CORAL)
+        draw(GL_POLYGON, fin, shade * AMBER)
 
 
 def draw_graph(turns, now):

@@ -126,7 +126,10 @@ def on_key(window, key, scancode, action, mods):
         return
     if glfw.KEY_1 <= key < glfw.KEY_1 + len(FORMATS):
         number = key - glfw.KEY_1
-        (delete_texture if textures[number] else make_texture)(number)
+        if textures[number]:
+            delete_texture(number)
+        else:
+            make_texture(number)
     elif key == glfw.KEY_SPACE:
         bound = not bound
     elif key == glfw.KEY_ESCAPE:

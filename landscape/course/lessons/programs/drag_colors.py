@@ -1,5 +1,7 @@
 """A drag of the mouse that changes green and blue, with GLFW."""
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 
@@ -24,16 +26,23 @@ def on_move(window, x, y):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(400, 400, "The mouse", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     glEnable(GL_DEPTH_TEST)
     glfw.set_window_refresh_callback(window, display)
     glfw.set_cursor_pos_callback(window, on_move)
     display(window)
+
     while not glfw.window_should_close(window):
         glfw.wait_events()
+
     glfw.terminate()
 
 

@@ -76,8 +76,13 @@ def reshape(window, width, height):
 
 def main():
     global angle, texture
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(500, 500, "A picture on a sphere", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
@@ -87,10 +92,12 @@ def main():
     glfw.set_framebuffer_size_callback(window, reshape)
     reshape(window, *glfw.get_framebuffer_size(window))
     texture = make_texture(sys.argv[1] if sys.argv[1:] else FILE)
+
     while not glfw.window_should_close(window):
         display(window)
         angle += 1
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -1,5 +1,7 @@
 """Keys that make a grey lighter or darker, with GLFW: one callback for all keys; Q ends it."""
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 
@@ -30,8 +32,13 @@ def on_character(window, code):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(400, 400, "Keys", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     glEnable(GL_DEPTH_TEST)
@@ -39,8 +46,10 @@ def main():
     glfw.set_key_callback(window, on_key)
     glfw.set_char_callback(window, on_character)
     display(window)
+
     while not glfw.window_should_close(window):
         glfw.wait_events()
+
     glfw.terminate()
 
 

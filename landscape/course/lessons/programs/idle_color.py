@@ -1,6 +1,7 @@
 """A background that changes by itself, with GLFW: the loop goes on without waiting."""
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -17,15 +18,22 @@ def display(window):
 
 def main():
     global step
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(400, 400, "Animation", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     glEnable(GL_DEPTH_TEST)
+
     while not glfw.window_should_close(window):
         display(window)
         step += 1
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -1,5 +1,6 @@
 """A teapot in a light that stays behind the viewer, with GLFW."""
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -57,8 +58,13 @@ def reshape(window, width, height):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(500, 500, "A lit teapot", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
@@ -69,9 +75,11 @@ def main():
     glfw.set_framebuffer_size_callback(window, reshape)
     glfw.set_window_refresh_callback(window, display)
     reshape(window, *glfw.get_framebuffer_size(window))  # GLFW does not call it for the first size
+
     while not glfw.window_should_close(window):
         display(window)
         glfw.wait_events()
+
     glfw.terminate()
 
 

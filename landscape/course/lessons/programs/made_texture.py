@@ -1,5 +1,7 @@
 """A texture that the program makes, on a quad that turns, with GLFW."""
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 from OpenGL.GLU import gluLookAt, gluPerspective
@@ -62,18 +64,25 @@ def reshape(window, width, height):
 
 def main():
     global angle, texture
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(500, 500, "A made texture", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     glEnable(GL_DEPTH_TEST)
     glfw.set_framebuffer_size_callback(window, reshape)
     reshape(window, *glfw.get_framebuffer_size(window))
     texture = make_texture()
+
     while not glfw.window_should_close(window):
         display(window)
         angle += 1
         glfw.poll_events()
+
     glfw.terminate()
 
 

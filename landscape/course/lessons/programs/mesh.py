@@ -1,5 +1,7 @@
 """A tetrahedron in lines from a table of vertices and one of faces, with GLFW."""
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 
@@ -31,15 +33,22 @@ def display(window):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(700, 700, "A tetrahedron", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     glfw.set_window_refresh_callback(window, display)
     set_projection()
     display(window)
+
     while not glfw.window_should_close(window):
         glfw.wait_events()
+
     glfw.terminate()
 
 

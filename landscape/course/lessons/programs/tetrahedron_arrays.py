@@ -1,5 +1,7 @@
 """The same tetrahedron by vertex arrays and one call, with GLFW."""
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -46,8 +48,13 @@ def reshape(window, width, height):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(500, 500, "A tetrahedron", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     glEnable(GL_DEPTH_TEST)
@@ -55,9 +62,11 @@ def main():
     glfw.set_framebuffer_size_callback(window, reshape)
     glfw.set_window_refresh_callback(window, display)
     reshape(window, *glfw.get_framebuffer_size(window))  # GLFW does not call it for the first size
+
     while not glfw.window_should_close(window):
         display(window)
         glfw.wait_events()
+
     glfw.terminate()
 
 

@@ -1,5 +1,6 @@
 """A teapot in lines, seen by gluLookAt, with GLFW."""
 
+import sys
 from pathlib import Path
 
 import glfw
@@ -41,17 +42,24 @@ def reshape(window, width, height):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(400, 400, "The teapot", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.set_window_pos(window, 100, 100)
     glfw.make_context_current(window)
     glEnable(GL_DEPTH_TEST)
     glfw.set_framebuffer_size_callback(window, reshape)
     glfw.set_window_refresh_callback(window, display)
     reshape(window, *glfw.get_framebuffer_size(window))  # GLFW does not call it for the first size
+
     while not glfw.window_should_close(window):
         display(window)
         glfw.wait_events()
+
     glfw.terminate()
 
 
