@@ -19,11 +19,14 @@ Keys: Left and Right turn the crystals, Up and Down tilt them.
 """
 # exercise: back_faces
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
+WIDTH = 80  # of the picture; each of its pixels covers several of the window's
+HEIGHT = 60
 SIDE = 128  # of the texture: a power of two
 BACKGROUND = 33, 41, 53
 FOCAL = 28
@@ -31,7 +34,8 @@ SIDES = 6
 CENTERS = ((-1.7, -1, -2.7), (1.8, 1.1, -2.8))
 COLORS = [(100 + 25 * face, 60 + 9 * face, 220 - 30 * face) for face in range(6)]
 COLORS += [(70 + 9 * face, 230 - 22 * face, 90 + 20 * face) for face in range(6)]
-turned, tilted = 12, 20
+turned = 12
+tilted = 20
 
 
 def seen(a, b, c):
@@ -45,12 +49,15 @@ def make_crystal(center):
     turn, tilt = np.radians((turned, tilted))
     around = turn + 2 * np.pi * np.arange(SIDES) / SIDES
     ring = np.stack((np.sin(around), 0 * around, np.cos(around)), axis=-1)
-    top, bottom = np.array((0, 1.3, 0)), np.array((0, -1.3, 0))
+    top = np.array((0, 1.3, 0))
+    bottom = np.array((0, -1.3, 0))
     faces = []
     for number in range(SIDES):
-        first, second = ring[number], ring[(number + 1) % SIDES]
+        first = ring[number]
+        second = ring[(number + 1) % SIDES]
         faces += [(first, second, top), (second, first, bottom)]
-    cos, sin = np.cos(tilt), np.sin(tilt)
+    cos = np.cos(tilt)
+    sin = np.sin(tilt)
     return np.array(faces) @ np.array(((1, 0, 0), (0, cos, sin), (0, -sin, cos))) + center
 
 
@@ -85,22 +92,35 @@ def draw(picture):
 
 def on_key(window, key, scancode, action, mods):
     global turned, tilted
-    if action != glfw.RELEASE:
-        turned += 10 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-        tilted += 10 * ((key == glfw.KEY_DOWN) - (key == glfw.KEY_UP))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turned -= 10
+    elif key == glfw.KEY_RIGHT:
+        turned += 10
+    elif key == glfw.KEY_UP:
+        tilted -= 10
+    elif key == glfw.KEY_DOWN:
+        tilted += 10
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "Two crystals", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_TEXTURE_2D)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -108,6 +128,7 @@ def main():
         draw(make_picture())
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

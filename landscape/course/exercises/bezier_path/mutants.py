@@ -3,7 +3,7 @@
 from landscape.course.grader.mutants import Mutant
 
 FIRST = "    ab = a + t * (b - a)\n    bc = b + t * (c - b)\n    cd = c + t * (d - c)\n"
-SECOND = "    abc, bcd = ab + t * (bc - ab), bc + t * (cd - bc)\n"
+SECOND = "    abc = ab + t * (bc - ab)\n    bcd = bc + t * (cd - bc)\n"
 THIRD = "    return abc + t * (bcd - abc)\n"
 STEP = "        lengths.append(lengths[-1] + np.hypot(*(other - one)))\n"
 WANTED = "    wanted = np.linspace(0, lengths[-1], COUNT)\n"
@@ -40,7 +40,7 @@ MUTANTS = {
         "divides in the middle in the end", "curve", [(THIRD, "    return (abc + bcd) / 2\n")]
     ),
     "not_divided": Mutant(
-        "does not divide the second lines", "curve", [(SECOND, "    abc, bcd = ab, cd\n")]
+        "does not divide the second lines", "curve", [(SECOND, "    abc = ab\n    bcd = cd\n")]
     ),
     "equal_steps": Mutant(
         "takes equal steps of t",

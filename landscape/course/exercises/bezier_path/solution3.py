@@ -22,6 +22,8 @@ Keys: the arrows move a control point.
 """
 # exercise: bezier_path
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -87,19 +89,32 @@ def draw_flight():
 
 
 def on_key(window, key, scancode, action, mods):
-    if action != glfw.RELEASE:
-        CONTROLS[2][0] += 20 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-        CONTROLS[2][1] += 20 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        CONTROLS[2][0] -= 20
+    elif key == glfw.KEY_RIGHT:
+        CONTROLS[2][0] += 20
+    elif key == glfw.KEY_DOWN:
+        CONTROLS[2][1] -= 20
+    elif key == glfw.KEY_UP:
+        CONTROLS[2][1] += 20
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "A flight", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
+
     while not glfw.window_should_close(window):
         glViewport(0, 0, *glfw.get_framebuffer_size(window))
         glLoadIdentity()
@@ -109,6 +124,7 @@ def main():
         draw_flight()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

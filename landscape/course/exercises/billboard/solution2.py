@@ -16,6 +16,7 @@ Keys: Left and Right go round the orchard, Up and Down raise and lower the eye.
 # exercise: billboard
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -46,7 +47,8 @@ COLORS = {
     "t": (120, 84, 60, 255),
 }
 TREES = ((0, 0), (2.6, 1.2), (1, -2.6), (-2.4, 1.8), (-1.8, -1.6), (3, -2.4), (0.6, 3.2))  # x, z
-turn, pitch = -90, 15  # degrees
+turn = -90  # degrees
+pitch = 15
 
 
 def eye():
@@ -72,8 +74,10 @@ def draw_tree(x, z):
     glTranslatef(x, 0, z)
     # The unit vector to the eye, and the one to the right of it, which the quad follows.
     distance = math.dist((x, z), eye())
-    to_x, to_z = (eye()[0] - x) / distance, (eye()[1] - z) / distance
-    right_x, right_z = to_z, -to_x
+    to_x = (eye()[0] - x) / distance
+    to_z = (eye()[1] - z) / distance
+    right_x = to_z
+    right_z = -to_x
     glBegin(GL_QUADS)
     for s, t in ((0, 1), (1, 1), (1, 0), (0, 0)):
         across = 2.2 * (s - 0.5)
@@ -104,15 +108,26 @@ def on_key(window, key, scancode, action, mods):
     global turn, pitch
     if action == glfw.RELEASE:
         return
-    turn += 20 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    pitch = max(5, min(75, pitch + 10 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))))
-    if key == glfw.KEY_ESCAPE:
+    if key == glfw.KEY_LEFT:
+        turn -= 20
+    elif key == glfw.KEY_RIGHT:
+        turn += 20
+    elif key == glfw.KEY_DOWN:
+        pitch = max(5, pitch - 10)
+    elif key == glfw.KEY_UP:
+        pitch = min(75, pitch + 10)
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "An orchard", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.7, 0.82, 0.92, 1)
@@ -120,6 +135,7 @@ def main():
     glEnable(GL_CULL_FACE)
     glAlphaFunc(GL_GREATER, 0.5)
     make_texture()
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

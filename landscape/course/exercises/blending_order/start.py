@@ -17,6 +17,7 @@ Keys: Left and Right go round.
 # lessons: blending, sorting
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -87,12 +88,18 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "Two glass tubes and a ball", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_DEPTH_TEST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

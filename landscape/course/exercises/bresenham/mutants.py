@@ -2,12 +2,12 @@
 
 from landscape.course.grader.mutants import Mutant
 
-SIDES = "    dx, dy = abs(x1 - x0), abs(y1 - y0)\n"
+SIDES = "    dx = abs(x1 - x0)\n    dy = abs(y1 - y0)\n"
 NOTED = "        pixels.append((x, y))\n"
 BEGIN = "    error = 2 * shorter - longer\n"
 ASIDE = "            error -= 2 * longer\n"
 AHEAD = "        error += 2 * shorter\n"
-LAST = "            x += step_x\n    return pixels\n"
+LAST = "            x += step_x\n\n    return pixels\n"
 RETURN = "    return pixels\n"
 TWO_STEPS = "            if steep:\n                x += step_x\n"
 DIVIDED = """    count = max(abs(x1 - x0), abs(y1 - y0), 1)

@@ -19,14 +19,18 @@ Keys: Space draws each line from its other end.
 # exercise: bresenham
 # lessons: bresenham, generated_texture
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-WIDTH, HEIGHT = 64, 48  # of the picture; each of its pixels covers many of the window's
+WIDTH = 64  # of the picture; each of its pixels covers many of the window's
+HEIGHT = 48
 SIDE = 64  # of the texture: a power of two
 BACKGROUND = 33, 41, 53
-AMBER, BLUE = np.array((190, 95, 15)), np.array((10, 80, 170))  # what a pixel adds
+AMBER = np.array((190, 95, 15))  # what a pixel adds
+BLUE = np.array((10, 80, 170))
 CENTER = 32, 24
 # Where the lines of a quarter of the fan begin and end, to the right of its center and below it.
 QUARTER = (
@@ -88,14 +92,20 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "A fan of lines", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_TEXTURE_2D)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -103,6 +113,7 @@ def main():
         draw(make_picture())
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

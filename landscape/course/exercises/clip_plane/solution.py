@@ -13,6 +13,7 @@ Keys: Left and Right turn the tower.
 # exercise: clip_plane
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -28,7 +29,8 @@ def draw_round(profile, sides, color):
         glBegin(GL_QUAD_STRIP)
         for step in range(sides + 1):
             angle = 2 * math.pi * step / sides
-            x, z = math.sin(angle), math.cos(angle)
+            x = math.sin(angle)
+            z = math.cos(angle)
             glNormal3f((y1 - y0) / slope * x, (r0 - r1) / slope, (y1 - y0) / slope * z)
             glVertex3f(r1 * x, y1, r1 * z)
             glVertex3f(r0 * x, y0, r0 * z)
@@ -47,7 +49,8 @@ def draw_stair():
         a = math.radians(24 * step)
         b = math.radians(24 * step + 24)
         y = 0.11 * step
-        inner, outer = 0.1, 0.85
+        inner = 0.1
+        outer = 0.85
         corners = [
             (r * math.sin(t), r * math.cos(t))
             for r, t in ((inner, a), (outer, a), (outer, b), (inner, b))
@@ -90,8 +93,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A tower, cut open", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.55, 0.7, 0.85, 1)
@@ -99,6 +107,7 @@ def main():
         glEnable(capability)
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE)  # the wall is lit from inside, too
     glLightfv(GL_LIGHT0, GL_POSITION, (-1, 1, 1.5, 0))
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

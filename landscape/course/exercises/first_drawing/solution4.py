@@ -15,6 +15,8 @@ The pennant at the top is a triangle, too: (0.05, 0.78), (0.05, 0.92), (-0.25, 0
 """
 # exercise: first_drawing
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -66,11 +68,17 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(300, 300, "A sailing boat", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.62, 0.72, 0.78, 1)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -81,6 +89,7 @@ def main():
         draw_pennant()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -18,15 +18,19 @@ Keys: Left and Right move the hills.
 # exercise: floating_horizon
 # lessons: floating_horizon, bresenham, height_field
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
+WIDTH = 80  # of the picture; each of its pixels covers several of the window's
+HEIGHT = 60
 SIDE = 128  # of the texture: a power of two
 BACKGROUND = 33, 41, 53
 ROWS = 22
-NEAR, FAR = np.array((250, 230, 190)), np.array((40, 104, 169))
+NEAR = np.array((250, 230, 190))
+FAR = np.array((40, 104, 169))
 COLORS = [NEAR + (FAR - NEAR) * row // (ROWS - 1) for row in range(ROWS)]
 moved = 0
 
@@ -72,21 +76,31 @@ def draw():
 
 def on_key(window, key, scancode, action, mods):
     global moved
-    if action != glfw.RELEASE:
-        moved += 6 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        moved -= 6
+    elif key == glfw.KEY_RIGHT:
+        moved += 6
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "Hills behind hills", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_TEXTURE_2D)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -94,6 +108,7 @@ def main():
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

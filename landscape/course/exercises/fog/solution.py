@@ -13,6 +13,7 @@ the fog's colour as well.
 # exercise: fog
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -60,8 +61,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A jetty in the morning", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(*FOG, 1)
@@ -70,6 +76,7 @@ def main():
     glFogi(GL_FOG_MODE, GL_EXP2)
     glFogf(GL_FOG_DENSITY, math.sqrt(math.log(2)) / HALF)
     glFogfv(GL_FOG_COLOR, (*FOG, 1))
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

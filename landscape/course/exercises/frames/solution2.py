@@ -17,6 +17,7 @@ Keys: Left and Right turn the wheel.
 # exercise: frames
 
 import math
+import sys
 from contextlib import contextmanager
 
 import glfw
@@ -87,19 +88,29 @@ def draw_wheel(angle):
 
 def on_key(window, key, scancode, action, mods):
     global turned
-    if action != glfw.RELEASE:
-        turned += 10 * ((key == glfw.KEY_LEFT) - (key == glfw.KEY_RIGHT))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_RIGHT:
+        turned -= 10
+    elif key == glfw.KEY_LEFT:
+        turned += 10
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(360, 360, "A Ferris wheel", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glLineWidth(5)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

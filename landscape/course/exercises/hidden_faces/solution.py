@@ -16,6 +16,8 @@ Keys: Left and Right turn the gate.
 """
 # exercise: hidden_faces
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -57,15 +59,24 @@ def draw(faces):
 
 def on_key(window, key, scancode, action, mods):
     global turn
-    if action != glfw.RELEASE:
-        turn += 15 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turn -= 15
+    elif key == glfw.KEY_RIGHT:
+        turn += 15
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A gate of cubes", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -74,6 +85,7 @@ def main():
     glEnableClientState(GL_VERTEX_ARRAY)
     glEnableClientState(GL_COLOR_ARRAY)
     faces = np.asarray(make_faces())
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

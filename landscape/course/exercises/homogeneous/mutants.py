@@ -55,7 +55,10 @@ MUTANTS = {
     "radians": Mutant(
         "takes degrees for radians",
         "turns",
-        [("np.cos(np.radians(angle)), np.sin(np.radians(angle))", "np.cos(angle), np.sin(angle)")],
+        [
+            ("np.cos(np.radians(angle))", "np.cos(angle)"),
+            ("np.sin(np.radians(angle))", "np.sin(angle)"),
+        ],
     ),
     "clockwise": Mutant(
         "turns clockwise",

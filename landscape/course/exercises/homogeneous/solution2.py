@@ -20,6 +20,7 @@ Keys: Left and Right turn the houses, Up and Down walk along the street.
 # exercise: homogeneous
 
 import math
+import sys
 
 import glfw
 import numpy as np
@@ -34,7 +35,8 @@ HOUSES = (  # where they stand, how they are turned, and their colour
     ((-1.9, -1, -3.5), 70, (0.85, 0.35, 0.2)),
 )
 OUTLINE = ((-0.7, 0), (0.7, 0), (0.7, 1), (0, 1.6), (-0.7, 1))  # of a house's front
-turned, walked = 0, 0
+turned = 0
+walked = 0
 
 
 def point(x, y, z):
@@ -92,26 +94,40 @@ def draw():
 
 def on_key(window, key, scancode, action, mods):
     global turned, walked
-    if action != glfw.RELEASE:
-        turned += 15 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-        walked += 0.5 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turned -= 15
+    elif key == glfw.KEY_RIGHT:
+        turned += 15
+    elif key == glfw.KEY_DOWN:
+        walked -= 0.5
+    elif key == glfw.KEY_UP:
+        walked += 0.5
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(480, 360, "A street", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glLineWidth(5)
+
     while not glfw.window_should_close(window):
         glViewport(0, 0, *glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT)
         draw()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

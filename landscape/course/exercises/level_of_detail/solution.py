@@ -21,13 +21,17 @@ Keys: Left and Right move the camera.
 """
 # exercise: level_of_detail
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-WIDTH, HEIGHT = 160, 64  # of the picture; each of its pixels covers several of the window's
+WIDTH = 160  # of the picture; each of its pixels covers several of the window's
+HEIGHT = 64
 SIDE = 256  # of the texture: a power of two
-BACKGROUND, CAMERA = (33, 41, 53), (240, 240, 245)
+BACKGROUND = (33, 41, 53)
+CAMERA = (240, 240, 245)
 COLORS = {1: (225, 160, 70), 2: (150, 180, 90), 4: (70, 160, 150), 8: (80, 130, 200)}
 X = np.arange(WIDTH + 17)  # farther than what is drawn
 HEIGHTS = 26 + 12 * np.sin(X / 13) + 7 * np.sin(X / 4.1) + 4 * np.sin(2.3 * X) + 3 * np.sin(1.3 * X)
@@ -91,21 +95,31 @@ def draw(picture):
 
 def on_key(window, key, scancode, action, mods):
     global eye
-    if action != glfw.RELEASE:
-        eye += 3 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        eye -= 3
+    elif key == glfw.KEY_RIGHT:
+        eye += 3
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 256, "A mountain range", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_TEXTURE_2D)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -113,6 +127,7 @@ def main():
         draw(make_picture())
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -11,6 +11,7 @@ lamp in every frame. LAMP is in the coordinates of the table.
 # exercise: light_position
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -24,11 +25,13 @@ def draw_piece():
     """Draw a chess piece: a profile that is turned round the y axis, and a ball on top."""
     for (r0, y0), (r1, y1) in zip(PROFILE, PROFILE[1:]):
         slope = math.hypot(r1 - r0, y1 - y0)
-        across, up = (y1 - y0) / slope, (r0 - r1) / slope
+        across = (y1 - y0) / slope
+        up = (r0 - r1) / slope
         glBegin(GL_QUAD_STRIP)
         for step in range(17):
             angle = 2 * math.pi * step / 16
-            x, z = math.cos(angle), math.sin(angle)
+            x = math.cos(angle)
+            z = math.sin(angle)
             glNormal3f(across * x, up, across * z)
             glVertex3f(r1 * x, y1, r1 * z)
             glVertex3f(r0 * x, y0, r0 * z)
@@ -95,8 +98,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A lamp that stays where it is", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -105,6 +113,7 @@ def main():
     glEnable(GL_LIGHT0)
     glLightfv(GL_LIGHT0, GL_DIFFUSE, (1.7, 1.6, 1.4, 1))
     glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.08)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -2,7 +2,7 @@
 
 from landscape.course.grader.mutants import Mutant
 
-BEGIN = "    first, last = 0, 1  # the part of the line that is left\n"
+BEGIN = "    first = 0  # the part of the line that is left\n    last = 1\n"
 BOTH = "((x0, x1 - x0, LEFT, RIGHT), (y0, y1 - y0, TOP, BOTTOM))"
 NO_WAY = "            if not low <= begin <= high:\n                return None\n"
 SWAP = "        if way < 0:\n            enters, leaves = leaves, enters\n"
@@ -102,7 +102,9 @@ MUTANTS = {
         ],
     ),
     "endless": Mutant(
-        "takes the whole straight line", "straight", [(BEGIN, "    first, last = -1000, 1000\n")]
+        "takes the whole straight line",
+        "straight",
+        [(BEGIN, "    first = -1000\n    last = 1000\n")],
     ),
     "swapped": Mutant(
         "returns the second end first",

@@ -18,17 +18,21 @@ Keys: Left and Right turn the lines.
 """
 # exercise: line_clipping
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
+WIDTH = 80  # of the picture; each of its pixels covers several of the window's
+HEIGHT = 60
 SIDE = 128  # of the texture: a power of two
 LEFT = 22
 TOP = 16
 RIGHT = 58
 BOTTOM = 44
-OUTSIDE, INSIDE = (26, 32, 42), (54, 66, 82)
+OUTSIDE = (26, 32, 42)
+INSIDE = (54, 66, 82)
 COLORS = ((242, 150, 60), (225, 170, 120), (200, 200, 200), (120, 170, 215), (50, 140, 230))
 LINES = (  # from the middle of the frame, before they are turned
     ((-15, -6), (12, 8)),
@@ -78,7 +82,8 @@ def draw_line(picture, x0, y0, x1, y1):
 def make_picture():
     picture = np.full((HEIGHT, WIDTH, 3), OUTSIDE, np.uint8)
     picture[TOP : BOTTOM + 1, LEFT : RIGHT + 1] = INSIDE
-    cos, sin = np.cos(np.radians(turned)), np.sin(np.radians(turned))
+    cos = np.cos(np.radians(turned))
+    sin = np.sin(np.radians(turned))
     for line in LINES:
         ends = [(40 + cos * x - sin * y, 30 + sin * x + cos * y) for x, y in line]
         clipped = clip(*ends[0], *ends[1])
@@ -98,21 +103,31 @@ def draw(picture):
 
 def on_key(window, key, scancode, action, mods):
     global turned
-    if action != glfw.RELEASE:
-        turned += 20 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turned -= 20
+    elif key == glfw.KEY_RIGHT:
+        turned += 20
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "Lines in a frame", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_TEXTURE_2D)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -120,6 +135,7 @@ def main():
         draw(make_picture())
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

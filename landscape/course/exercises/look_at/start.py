@@ -16,6 +16,8 @@ Keys: Left and Right carry the camera around, Up and Down lift it, Space leans i
 # exercise: look_at
 # lessons: look_at, frames
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -53,21 +55,33 @@ def on_key(window, key, scancode, action, mods):
     global turned, lifted, leaning
     if action == glfw.RELEASE:
         return
-    turned += 20 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    lifted += 0.5 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        turned -= 20
+    elif key == glfw.KEY_RIGHT:
+        turned += 20
+    elif key == glfw.KEY_DOWN:
+        lifted -= 0.5
+    elif key == glfw.KEY_UP:
+        lifted += 0.5
+    elif key == glfw.KEY_SPACE:
         leaning = not leaning
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(360, 270, "A market place", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_DEPTH_TEST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

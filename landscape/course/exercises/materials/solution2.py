@@ -17,6 +17,7 @@ Keys: Left and Right carry the camera around.
 # exercise: materials
 
 import math
+import sys
 
 import glfw
 import numpy as np
@@ -58,7 +59,8 @@ def draw_ball():
         for step in range(29):
             around = 2 * math.pi * step / 28
             for polar in (math.pi * ring / 14, math.pi * (ring + 1) / 14):
-                x, z = math.sin(polar) * math.sin(around), math.sin(polar) * math.cos(around)
+                x = math.sin(polar) * math.sin(around)
+                z = math.sin(polar) * math.cos(around)
                 glNormal3f(x, math.cos(polar), z)
                 glVertex3f(x, math.cos(polar), z)
         glEnd()
@@ -75,21 +77,31 @@ def draw_balls():
 
 def on_key(window, key, scancode, action, mods):
     global turned
-    if action != glfw.RELEASE:
-        turned += 10 * ((key == glfw.KEY_LEFT) - (key == glfw.KEY_RIGHT))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_RIGHT:
+        turned -= 10
+    elif key == glfw.KEY_LEFT:
+        turned += 10
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(480, 240, "Four balls", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
         glEnable(capability)
     glLightfv(GL_LIGHT0, GL_AMBIENT, (0.5, 0.5, 0.5, 1))
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -14,10 +14,13 @@ Keys: Up and Down bend the elbow; Left and Right turn the base.
 # exercise: matrix_stack
 # lessons: matrix_stack
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 
-turn, bend = 30, 55  # degrees
+turn = 30  # degrees
+bend = 55
 
 
 def draw_box(x, y, z, width, height, depth, color):
@@ -74,21 +77,31 @@ def on_key(window, key, scancode, action, mods):
     global turn, bend
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        turn += 15 if key == glfw.KEY_RIGHT else -15
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        bend += 15 if key == glfw.KEY_DOWN else -15
-    if key == glfw.KEY_ESCAPE:
+    if key == glfw.KEY_LEFT:
+        turn -= 15
+    elif key == glfw.KEY_RIGHT:
+        turn += 15
+    elif key == glfw.KEY_UP:
+        bend -= 15
+    elif key == glfw.KEY_DOWN:
+        bend += 15
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A robot's arm", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_DEPTH_TEST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

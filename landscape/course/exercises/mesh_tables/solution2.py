@@ -13,6 +13,8 @@ Keys: Left and Right turn the gem, Up and Down tilt it.
 """
 # exercise: mesh_tables
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -28,12 +30,13 @@ VERTICES = (
 ABOVE = [(number, (number + 1) % 4, 4) for number in range(4)]
 BELOW = [((number + 1) % 4, number, 5) for number in range(4)]
 FACES = ABOVE + BELOW
-turned, tilted = 20, 25  # degrees
+turned = 20  # degrees
+tilted = 25
 
 
 def color_of(corners):
     """Return the colour of a face, by where it lies."""
-    x, y, z = (sum(corner[axis] for corner in corners) / 3 for axis in range(3))
+    x, y, z = (sum(coordinates) / 3 for coordinates in zip(*corners))
     return 0.62 + x, 0.62 + 0.6 * y, 0.62 + z
 
 
@@ -48,21 +51,34 @@ def draw_gem():
 
 def on_key(window, key, scancode, action, mods):
     global turned, tilted
-    if action != glfw.RELEASE:
-        turned += 30 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-        tilted += 50 * ((key == glfw.KEY_DOWN) - (key == glfw.KEY_UP))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turned -= 30
+    elif key == glfw.KEY_RIGHT:
+        turned += 30
+    elif key == glfw.KEY_UP:
+        tilted -= 50
+    elif key == glfw.KEY_DOWN:
+        tilted += 50
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 320, "A gem", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_DEPTH_TEST)
     glEnable(GL_CULL_FACE)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

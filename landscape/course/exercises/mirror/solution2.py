@@ -21,6 +21,7 @@ Keys: Left and Right go round.
 # exercise: mirror
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -42,7 +43,8 @@ def draw_round(profile, sides, color, squeeze=1):
         glBegin(GL_QUAD_STRIP)
         for step in range(sides + 1):
             angle = 2 * math.pi * step / sides
-            x, z = math.sin(angle), math.cos(angle)
+            x = math.sin(angle)
+            z = math.cos(angle)
             glNormal3f((y1 - y0) / slope * x, (r0 - r1) / slope, (y1 - y0) / slope * z / squeeze)
             glVertex3f(r1 * x, y1, r1 * z * squeeze)
             glVertex3f(r0 * x, y0, r0 * z * squeeze)
@@ -51,7 +53,8 @@ def draw_round(profile, sides, color, squeeze=1):
 
 def draw_things():
     for row in range(4):
-        bottom, top = 0.7 - 0.07 * row, 0.63 - 0.07 * row
+        bottom = 0.7 - 0.07 * row
+        top = 0.63 - 0.07 * row
         color = (0.95, 0.9, 0.8) if row % 2 else (0.85, 0.35, 0.2)
         draw_round(((bottom, 0.7 * row), (top, 0.7 * row + 0.7)), 24, color)
     draw_round(((0.42, 2.8), (0.55, 2.95), (0.55, 3.05), (0.28, 3.05)), 24, (0.45, 0.47, 0.5))
@@ -109,8 +112,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A lighthouse in a pond", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.19, 0.26, 0.37, 1)

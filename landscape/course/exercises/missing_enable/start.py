@@ -11,6 +11,8 @@ line is missing, which turns the test on. Write it in place of the comment. Chan
 # exercise: missing_enable
 # lessons: depth_buffer
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 
@@ -47,13 +49,19 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "One missing line", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
 
     # Your code goes here.
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

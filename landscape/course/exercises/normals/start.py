@@ -14,11 +14,13 @@ Keys: Space draws the normals as lines, which helps to see what is wrong.
 # lessons: normals
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
 
-RING, TUBE = 1.5, 0.6  # radii: of the ring's middle line, and of the tube around it
+RING = 1.5  # radii: of the ring's middle line, and of the tube around it
+TUBE = 0.6
 STEPS = 24
 lines = False
 
@@ -40,7 +42,8 @@ def draw_ring():
         glBegin(GL_QUAD_STRIP)
         for j in range(STEPS + 1):
             for k in (1, 0):
-                u, v = 2 * math.pi * (i + k) / STEPS, 2 * math.pi * j / STEPS
+                u = 2 * math.pi * (i + k) / STEPS
+                v = 2 * math.pi * j / STEPS
                 glNormal3f(*normal(u, v))
                 glVertex3f(*point(u, v))
         glEnd()
@@ -52,8 +55,10 @@ def draw_normals():
     glBegin(GL_LINES)
     for i in range(0, STEPS, 2):
         for j in range(0, STEPS, 2):
-            u, v = 2 * math.pi * i / STEPS, 2 * math.pi * j / STEPS
-            start, direction = point(u, v), normal(u, v)
+            u = 2 * math.pi * i / STEPS
+            v = 2 * math.pi * j / STEPS
+            start = point(u, v)
+            direction = normal(u, v)
             glVertex3f(*start)
             glVertex3f(*(a + 0.35 * b for a, b in zip(start, direction)))
     glEnd()
@@ -69,8 +74,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "Normals", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -81,6 +91,7 @@ def main():
     glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, (0.95, 0.55, 0.3, 1))
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, (0.5, 0.5, 0.5, 1))
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 40)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

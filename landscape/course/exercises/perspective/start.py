@@ -13,11 +13,14 @@ Resize the window to see whether it is right: the picture grows, and nothing is 
 # exercise: perspective
 # lessons: perspective
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 
 OPENING = 40  # degrees, from the lower to the upper edge
-NEAR, FAR = 0.5, 60
+NEAR = 0.5
+FAR = 60
 
 
 def set_projection(width, height):
@@ -55,12 +58,18 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "Perspective", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_DEPTH_TEST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

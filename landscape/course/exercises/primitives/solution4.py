@@ -16,6 +16,7 @@ the width of lines, too. Whatever draws the same picture is right.
 # exercise: primitives
 
 import math
+import sys
 
 import glfw
 import numpy as np
@@ -92,13 +93,19 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(480, 360, "A valley at evening", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glPointSize(5)
     glLineWidth(5)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

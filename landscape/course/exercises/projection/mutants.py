@@ -3,8 +3,8 @@
 from landscape.course.grader.mutants import Mutant
 
 EYE = "    east = x - eye[0]\n    north = y - eye[1]\n    above = z - eye[2]\n"
-TURN = "math.cos(math.radians(turned)), math.sin(math.radians(turned))"
-TILT = "math.cos(math.radians(tilted)), math.sin(math.radians(tilted))"
+TURN = [(f"math.{f}(math.radians(turned))", f"math.{f}(turned)") for f in ("cos", "sin")]
+TILT = [(f"math.{f}(math.radians(tilted))", f"math.{f}(tilted)") for f in ("cos", "sin")]
 LEVEL = "    level = cos * east + sin * north\n"
 RIGHT = "    right = sin * east - cos * north\n"
 AHEAD = "    ahead = cos * level + sin * above\n"
@@ -29,9 +29,7 @@ MUTANTS = {
         "turns",
         [(LEVEL, LEVEL.replace("+", "-")), (RIGHT, "    right = -sin * east - cos * north\n")],
     ),
-    "turned_radians": Mutant(
-        "takes degrees for radians", "turns", [(TURN, "math.cos(turned), math.sin(turned)")]
-    ),
+    "turned_radians": Mutant("takes degrees for radians", "turns", TURN),
     "left": Mutant(
         "counts to the left", "turns", [(RIGHT, "    right = cos * north - sin * east\n")]
     ),
@@ -51,9 +49,7 @@ MUTANTS = {
         "tilts",
         [(AHEAD, AHEAD.replace("+", "-")), (UP, UP.replace("-", "+"))],
     ),
-    "tilted_radians": Mutant(
-        "takes degrees for radians", "tilts", [(TILT, "math.cos(tilted), math.sin(tilted)")]
-    ),
+    "tilted_radians": Mutant("takes degrees for radians", "tilts", TILT),
     "east_tilted": Mutant(
         "tilts by the way to the east",
         "tilts",

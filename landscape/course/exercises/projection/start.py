@@ -23,17 +23,22 @@ Keys: Left and Right turn the camera, Up and Down tilt it, Space lifts it.
 # exercise: projection
 # lessons: projection_by_hand, similar_triangles
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-WIDTH, HEIGHT = 80, 60  # of the picture; each of its pixels covers several of the window's
+WIDTH = 80  # of the picture; each of its pixels covers several of the window's
+HEIGHT = 60
 SIDE = 128  # of the texture: a power of two
 BACKGROUND = 33, 41, 53
 COLORS = ((80, 140, 190), (235, 215, 160), (110, 160, 90), (70, 115, 70), (240, 240, 245))
-FOCAL, NEAR = 50, 1
+FOCAL = 50
+NEAR = 1
 eye = [1.3, 0.37, 4.2]
-turned, tilted = 9, -11  # degrees
+turned = 9  # degrees
+tilted = -11
 
 
 def into_camera(x, y, z):
@@ -85,23 +90,37 @@ def draw(picture):
 
 def on_key(window, key, scancode, action, mods):
     global turned, tilted
-    if action != glfw.RELEASE:
-        turned += 15 * ((key == glfw.KEY_LEFT) - (key == glfw.KEY_RIGHT))
-        tilted += 7 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-        eye[2] += 1.5 * (key == glfw.KEY_SPACE)
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turned += 15
+    elif key == glfw.KEY_RIGHT:
+        turned -= 15
+    elif key == glfw.KEY_UP:
+        tilted += 7
+    elif key == glfw.KEY_DOWN:
+        tilted -= 7
+    elif key == glfw.KEY_SPACE:
+        eye[2] += 1.5
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "An island of dots", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_TEXTURE_2D)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -109,6 +128,7 @@ def main():
         draw(make_picture())
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

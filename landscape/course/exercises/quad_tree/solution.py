@@ -19,14 +19,19 @@ Keys: Left and Right turn the camera.
 """
 # exercise: quad_tree
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-WIDTH, HEIGHT = 64, 72  # of the picture; each of its pixels covers several of the window's
+WIDTH = 64  # of the picture; each of its pixels covers several of the window's
+HEIGHT = 72
 SIDE = 128  # of the texture: a power of two
-BACKGROUND, DOT = (26, 32, 42), (242, 240, 230)
-MAP, SMALLEST = 64, 4
+BACKGROUND = (26, 32, 42)
+DOT = (242, 240, 230)
+MAP = 64
+SMALLEST = 4
 COLORS = {  # of the tiles, by their size
     64: (120, 110, 190),
     32: (80, 130, 200),
@@ -47,7 +52,8 @@ def look(x, y, size):
     calls += 1
     corners = [(x + i * size, y + j * size, 1) for i in (0, 1) for j in (0, 1)]
     angles = np.radians((turned - 28, turned + 28, turned))
-    cos, sin = np.cos(angles), np.sin(angles)
+    cos = np.cos(angles)
+    sin = np.sin(angles)
     # Two sides through the camera at (5, 30), and the end of the view: positive within.
     borders = np.array(
         (
@@ -100,21 +106,31 @@ def draw(picture):
 
 def on_key(window, key, scancode, action, mods):
     global turned
-    if action != glfw.RELEASE:
-        turned += 20 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turned -= 20
+    elif key == glfw.KEY_RIGHT:
+        turned += 20
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 360, "Tiles of a map", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glEnable(GL_TEXTURE_2D)
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB, GL_UNSIGNED_BYTE, None)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -122,6 +138,7 @@ def main():
         draw(make_picture())
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

@@ -17,6 +17,7 @@ Keys: Left and Right turn. Resize the window: the map keeps its place and its pr
 # exercise: second_viewport
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -61,8 +62,10 @@ def draw_maze():
         glBegin(GL_QUAD_STRIP)
         for side in range(17):
             for polar in (math.pi * step / 6, math.pi * (step + 1) / 6):
-                angle, r = math.pi * side / 8, 0.4 * math.sin(polar)
-                x, z = 0.5 + r * math.cos(angle), -1.5 + r * math.sin(angle)
+                angle = math.pi * side / 8
+                r = 0.4 * math.sin(polar)
+                x = 0.5 + r * math.cos(angle)
+                z = -1.5 + r * math.sin(angle)
                 glVertex3f(x, 0.4 + 0.4 * math.cos(polar), z)
         glEnd()
 
@@ -112,12 +115,18 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A map of the maze", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_DEPTH_TEST)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -22,12 +22,15 @@ Keys: Left and Right move the lamp.
 """
 # exercise: shadow_map
 
+import sys
+
 import glfw
 from OpenGL.GL import *
 
 SIZE = 256
 AXES = GL_S, GL_T, GL_R, GL_Q
-SKY, LAMP = (0.38, 0.42, 0.5), (0.62, 0.58, 0.5)
+SKY = (0.38, 0.42, 0.5)
+LAMP = (0.62, 0.58, 0.5)
 lamp = -35  # degrees around the scene
 BOXES = (  # two corners and a color
     ((-2.8, -0.3, -2.6), (2.8, 0, 2.4), (0.95, 0.9, 0.8)),
@@ -110,8 +113,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A lamp and a stair", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -122,6 +130,7 @@ def main():
         glTexGeni(axis, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR)
     glBlendFunc(GL_ONE, GL_ONE)
     glDepthFunc(GL_LEQUAL)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

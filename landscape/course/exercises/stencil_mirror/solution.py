@@ -19,6 +19,7 @@ Keys: Left and Right go round.
 # exercise: stencil_mirror
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -34,7 +35,8 @@ def draw_round(profile, color):
         slope = math.hypot(r1 - r0, y1 - y0)
         glBegin(GL_QUAD_STRIP)
         for step in range(33):
-            x, z = math.sin(math.pi * step / 16), math.cos(math.pi * step / 16)
+            x = math.sin(math.pi * step / 16)
+            z = math.cos(math.pi * step / 16)
             glNormal3f((y1 - y0) / slope * x, (r0 - r1) / slope, (y1 - y0) / slope * z)
             glVertex3f(r1 * x, y1, r1 * z)
             glVertex3f(r0 * x, y0, r0 * z)
@@ -122,14 +124,20 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A round mirror", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE):
         glEnable(capability)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

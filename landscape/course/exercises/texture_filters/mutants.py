@@ -9,7 +9,7 @@ def filtered(kind, value):
 
 
 SMALL, LARGE = filtered("MIN", "LINEAR"), filtered("MAG", "LINEAR")
-SIGN = "for row in ARROW], np.uint8))\n" + SMALL + filtered("MAG", "NEAREST")
+SIGN = "    load(np.array(texels, np.uint8))\n" + SMALL + filtered("MAG", "NEAREST")
 WINDOW = "(top, bottom), np.uint8))\n" + SMALL + LARGE
 BEST = filtered("MIN", "LINEAR_MIPMAP_LINEAR")
 MIPMAPS = "    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE)\n"
@@ -18,7 +18,7 @@ LOAD = "    load(image)\n"
 
 
 def sign(*lines):
-    return [(SIGN, "for row in ARROW], np.uint8))\n" + "".join(lines))]
+    return [(SIGN, "    load(np.array(texels, np.uint8))\n" + "".join(lines))]
 
 
 def window(*lines):

@@ -18,12 +18,16 @@ Keys: Up and Down walk.
 """
 # exercise: texture_filters
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 from OpenGL.GLU import *
 
-SIGN, WINDOW, FLOOR = 1, 2, 3  # the names of the textures
+SIGN = 1  # the names of the textures
+WINDOW = 2
+FLOOR = 3
 ARROW = (
     "........",
     "....#...",
@@ -46,14 +50,16 @@ def load(image):
 def make_sign():
     glBindTexture(GL_TEXTURE_2D, SIGN)
     colors = {"#": (40, 60, 70), ".": (242, 170, 80)}
-    load(np.array([[colors[letter] for letter in row] for row in ARROW], np.uint8))
+    texels = [[colors[letter] for letter in row] for row in ARROW]
+    load(np.array(texels, np.uint8))
     glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, [GL_NEAREST])
     glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, [GL_NEAREST])
 
 
 def make_window():
     glBindTexture(GL_TEXTURE_2D, WINDOW)
-    top, bottom = (((60, 110, 190), (120, 150, 210)), ((250, 210, 150), (230, 110, 60)))
+    top = ((60, 110, 190), (120, 150, 210))
+    bottom = ((250, 210, 150), (230, 110, 60))
     load(np.array((top, bottom), np.uint8))
     # The larger filter is GL_LINEAR from the beginning.
     glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, [GL_LINEAR])
@@ -63,7 +69,8 @@ def make_floor():
     glBindTexture(GL_TEXTURE_2D, FLOOR)
     image = np.zeros((32, 32, 3), np.uint8)
     image[:] = 70, 130, 130
-    image[:16, :16] = image[16:, 16:] = 240, 230, 205
+    image[:16, :16] = 240, 230, 205
+    image[16:, 16:] = 240, 230, 205
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR)
     gluBuild2DMipmaps(GL_TEXTURE_2D, GL_RGB, 32, 32, GL_RGB, GL_UNSIGNED_BYTE, image)
 
@@ -85,15 +92,24 @@ def draw_hall():
 
 def on_key(window, key, scancode, action, mods):
     global walked
-    if action != glfw.RELEASE:
-        walked += 0.2 * ((key == glfw.KEY_UP) - (key == glfw.KEY_DOWN))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_DOWN:
+        walked -= 0.2
+    elif key == glfw.KEY_UP:
+        walked += 0.2
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(400, 300, "A hall", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -102,6 +118,7 @@ def main():
     make_sign()
     make_window()
     make_floor()
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -18,6 +18,8 @@ Keys: Left and Right turn the planet, Up and Down tilt it.
 """
 # exercise: textured_sphere
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
@@ -39,8 +41,10 @@ COLORS = {
     "#": (60, 130, 70),
     "d": (220, 170, 90),
 }
-COLUMNS, ROWS = 24, 16
-turned, tilted = 0, 20
+COLUMNS = 24
+ROWS = 16
+turned = 0
+tilted = 20
 
 
 def make_texture():
@@ -53,7 +57,8 @@ def make_texture():
 
 def draw_planet():
     t, s = np.mgrid[0 : ROWS + 1, 0 : COLUMNS + 1] / np.reshape((ROWS, COLUMNS), (2, 1, 1))
-    longitude, polar = 2 * np.pi * s, np.pi * t
+    longitude = 2 * np.pi * s
+    polar = np.pi * t
     ring = np.sin(polar)
     points = np.stack((ring * np.cos(longitude), np.cos(polar), -ring * np.sin(longitude)), -1)
     first = np.arange(ROWS * (COLUMNS + 1)).reshape(ROWS, COLUMNS + 1)[:, :-1]
@@ -71,16 +76,28 @@ def draw_planet():
 
 def on_key(window, key, scancode, action, mods):
     global turned, tilted
-    if action != glfw.RELEASE:
-        turned += 30 * ((key == glfw.KEY_RIGHT) - (key == glfw.KEY_LEFT))
-        tilted += 20 * ((key == glfw.KEY_DOWN) - (key == glfw.KEY_UP))
-    if key == glfw.KEY_ESCAPE:
+    if action == glfw.RELEASE:
+        return
+    if key == glfw.KEY_LEFT:
+        turned -= 30
+    elif key == glfw.KEY_RIGHT:
+        turned += 30
+    elif key == glfw.KEY_UP:
+        tilted -= 20
+    elif key == glfw.KEY_DOWN:
+        tilted += 20
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(300, 300, "A planet", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.08, 0.1, 0.14, 1)
@@ -89,6 +106,7 @@ def main():
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (1, 1, 1, 1))
     glLightfv(GL_LIGHT0, GL_POSITION, (-1, 1, 3, 0))
     make_texture()
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -11,24 +11,30 @@ Change draw_vase, and what is needed before it. The picture stays as it is, and 
 """
 # exercise: vertex_arrays
 
+import sys
+
 import glfw
 import numpy as np
 from OpenGL.GL import *
 
-ROWS, SIDES = 20, 32
+ROWS = 20
+SIDES = 32
 
 
 def make_vase():
     """Return the vertices, the normals and the colors, a row each, and the triangles."""
     v, u = np.mgrid[0 : ROWS + 1, 0:SIDES]
-    y, angle = v / ROWS * 3, u * 2 * np.pi / SIDES
+    y = v / ROWS * 3
+    angle = u * 2 * np.pi / SIDES
     radius = 0.75 + 0.35 * np.sin(1.9 * y - 0.4) + 0.06 * np.cos(8 * angle)
     slope = 0.35 * 1.9 * np.cos(1.9 * y - 0.4)
-    x, z = np.sin(angle), np.cos(angle)
+    x = np.sin(angle)
+    z = np.cos(angle)
     vertices = np.stack((radius * x, y, radius * z), -1).reshape(-1, 3)
     normals = np.stack((x, -slope, z), -1).reshape(-1, 3)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    warm, cold = np.array((217, 89, 51, 255)), np.array((242, 190, 110, 255))
+    warm = np.array((217, 89, 51, 255))
+    cold = np.array((242, 190, 110, 255))
     mix = (0.5 + 0.5 * np.cos(4 * np.pi * v / ROWS + 4 * angle))[..., None]
     colors = (mix * warm + (1 - mix) * cold).reshape(-1, 4)
     first = (v[:-1] * SIDES + u[:-1]).ravel()
@@ -66,8 +72,13 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "A vase in one call", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
@@ -80,6 +91,7 @@ def main():
     glColorPointer(4, GL_UNSIGNED_BYTE, 0, COLORS)
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE)  # one sees into the vase
     glLightfv(GL_LIGHT0, GL_POSITION, (-2, 3, 3, 0))
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -57,14 +57,12 @@ MUTANTS = {
         "lists the lower faces like the upper ones",
         "order",
         [
-            (
-                "(RED, BOTTOM, 1, 0), (ORANGE, BOTTOM, 2, 1), (CREAM, BOTTOM, 3, 2)",
-                "(RED, BOTTOM, 0, 1), (ORANGE, BOTTOM, 1, 2), (CREAM, BOTTOM, 2, 3)",
-            ),
-            (
-                "(GREEN, BOTTOM, 4, 3), (BLUE, BOTTOM, 5, 4), (VIOLET, BOTTOM, 0, 5)",
-                "(GREEN, BOTTOM, 3, 4), (BLUE, BOTTOM, 4, 5), (VIOLET, BOTTOM, 5, 0)",
-            ),
+            ("(RED, BOTTOM, 1, 0)", "(RED, BOTTOM, 0, 1)"),
+            ("(ORANGE, BOTTOM, 2, 1)", "(ORANGE, BOTTOM, 1, 2)"),
+            ("(CREAM, BOTTOM, 3, 2)", "(CREAM, BOTTOM, 2, 3)"),
+            ("(GREEN, BOTTOM, 4, 3)", "(GREEN, BOTTOM, 3, 4)"),
+            ("(BLUE, BOTTOM, 5, 4)", "(BLUE, BOTTOM, 4, 5)"),
+            ("(VIOLET, BOTTOM, 0, 5)", "(VIOLET, BOTTOM, 5, 0)"),
         ],
     ),
     "wrong_ones": Mutant(
@@ -82,7 +80,7 @@ MUTANTS = {
     "other_colors": Mutant(
         "sorts the colours",
         "picture",
-        [("(RED, TOP, 0, 1), (ORANGE, TOP, 1, 2)", "(ORANGE, TOP, 0, 1), (RED, TOP, 1, 2)")],
+        [("(RED, TOP, 0, 1)", "(ORANGE, TOP, 0, 1)"), ("(ORANGE, TOP, 1, 2)", "(RED, TOP, 1, 2)")],
     ),
     "mirrored": Mutant(
         "mirrors the gem",

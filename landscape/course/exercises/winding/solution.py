@@ -14,6 +14,7 @@ Keys: Left and Right turn the gem.
 # exercise: winding
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -24,7 +25,8 @@ CREAM = (0.95, 0.9, 0.8)
 GREEN = (0.45, 0.7, 0.35)
 BLUE = (0.3, 0.5, 0.8)
 VIOLET = (0.6, 0.4, 0.7)
-TOP, BOTTOM = 6, 7  # the ring has the points 0 to 5, counter-clockwise as seen from above
+TOP = 6  # the ring has the points 0 to 5, counter-clockwise as seen from above
+BOTTOM = 7
 FACES = (
     (RED, TOP, 0, 1),
     (ORANGE, TOP, 1, 2),
@@ -71,12 +73,18 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(640, 480, "The order of vertices", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glClearColor(0.13, 0.16, 0.21, 1)
     glEnable(GL_CULL_FACE)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)

@@ -17,6 +17,7 @@ Change draw_sky and on_key.
 # exercise: window
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -76,13 +77,19 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "The sky over the roofs", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
     glNewList(SKY, GL_COMPILE)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
     glEndList()
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -91,6 +98,7 @@ def main():
         draw_street()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 

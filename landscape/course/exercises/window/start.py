@@ -18,6 +18,7 @@ Change draw_sky and on_key.
 # lessons: window, keys
 
 import math
+import sys
 
 import glfw
 from OpenGL.GL import *
@@ -68,10 +69,16 @@ def on_key(window, key, scancode, action, mods):
 
 
 def main():
-    glfw.init()
+    if not glfw.init():
+        sys.exit("GLFW cannot start: is there a screen?")
+
     window = glfw.create_window(320, 240, "The sky over the roofs", None, None)
+    if not window:
+        sys.exit("GLFW cannot open a window with OpenGL.")
+
     glfw.make_context_current(window)
     glfw.set_key_callback(window, on_key)
+
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
         glViewport(0, 0, width, height)
@@ -80,6 +87,7 @@ def main():
         draw_street()
         glfw.swap_buffers(window)
         glfw.poll_events()
+
     glfw.terminate()
 
 
