@@ -60,7 +60,7 @@ def test_the_lecture_in_the_documentation_is_read_as_it_says(tmp_path: Path) -> 
     assert found
     lecture = read(_written(tmp_path, found[1]))
     assert lecture.title == "Mirrors in OpenGL 1.x"
-    assert [step.name for step in lecture.steps] == ["scale", "matrix_stack", "fig6a", "R12"]
+    assert [step.name for step in lecture.steps] == ["scale", "matrix_stack", "fig6a", "R16"]
     stack = lecture.steps[1]
     source = lesson("matrix_stack").file.read_text(encoding="utf-8").splitlines()
     assert stack.code is not None

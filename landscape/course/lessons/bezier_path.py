@@ -1,8 +1,9 @@
 """Bezier path: constant speed along a curve
 
-A path over a map, of cubic Bezier curves. De Casteljau's algorithm divides the lines between four
-control points in the ratio t, those between the three points found, and the last one: that is the
-point at t. But t is no distance, and with equal steps of t the marker crawls, and rushes.
+A path over a map, of cubic Bezier curves. De Casteljau's algorithm divides the three lines between
+four control points in the ratio t, then the two lines between the new points, then the last line:
+that gives the point at t. But t is not a distance: with equal steps of t the marker crawls here and
+rushes there.
 
 Keys: Space takes equal steps of t; the arrows move a control point, Tab chooses the next one.
 """

@@ -1,8 +1,8 @@
 """Blending: alpha, sum and product, and when the order matters
 
-Three panes of coloured glass in front of a light and a dark wall. glBlendFunc says what becomes of
-the new colour and of the one that is there. By alpha, the new one covers a part of the old one: the
-pane drawn last looks nearest, and another order gives another picture. Adding, as light does, and
+Three panes of coloured glass in front of a light and a dark wall. glBlendFunc says how a new colour
+is combined with the one already there. By alpha, the new one covers part of the old one: the pane
+drawn last looks nearest, and another order gives another picture. Adding, as light does, and
 multiplying, as a filter does, give the same in any order.
 
 Keys: 1 sum, 2 product, 3 alpha; Space draws the panes in the opposite order.

@@ -3,9 +3,9 @@
 A cube map is six pictures looked up by a direction (OpenGL 1.3). For the sky, each corner of a box
 is its own texture coordinate; for the rabbit, GL_REFLECTION_MAP computes the mirrored direction,
 and the texture matrix turns it to world coordinates. The pictures lie on the cube as if it were
-seen from outside. Put in as they were taken, from inside, none fits its neighbours.
+seen from outside. Loaded as they were taken, from inside, no picture fits its neighbours.
 
-Keys: Left and Right turn; Space tints the faces, O puts them in as they were taken.
+Keys: Left and Right turn; Space tints the faces, O loads them as they were taken.
 """
 # topic: voxels
 # needs: sky_box, sphere_map, ply_mesh

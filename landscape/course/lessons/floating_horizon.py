@@ -1,9 +1,10 @@
 """Floating horizon: one number a column hides what is behind hills
 
 A terrain of lines is drawn row by row, from front to back. For each column of pixels, the horizon
-is the highest one that the terrain has reached there: a row farther away is seen where it is higher
-than that, and raises it. Without the test the terrain is transparent. Drawn from back to front, far
-mountains hide the hills in front of them: the test knows heights, and takes the order for granted.
+is the highest pixel that the terrain has reached so far: a row farther away is visible where it is
+higher, and raises the horizon. Without the test the terrain is transparent. Drawn from back to
+front, far mountains hide the hills in front of them: the test compares heights only, and relies on
+the order.
 
 Keys: Space turns the test off, B draws back to front, Up and Down choose how many rows are drawn,
 Left and Right move the camera.

@@ -1,8 +1,8 @@
 """Fog coordinate: water that darkens with its depth
 
 Each fragment gets an amount of fog. Usually it follows from the distance to the eye; with
-GL_FOG_COORDINATE it is interpolated between numbers that the vertices bring, here their depths.
-The shallows are clear and the deep is dark, from wherever one looks. By the distance, the land
+GL_FOG_COORDINATE it is interpolated between values given with the vertices, here their depths. The
+shallows are clear and the deep is dark, from every direction. With fog by distance, the land
 darkens as well. If depths are clamped at the surface, as there is no fog above it, the fog climbs
 up the rocks: the interpolation then begins at their tops and not at the surface.
 

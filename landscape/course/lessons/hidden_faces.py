@@ -2,8 +2,9 @@
 
 A face between two cubes is never seen. Compared with itself moved by a cube, the array of voxels
 tells which cubes have air beside them: six comparisons, no loop over voxels. Runs of like faces
-then become one long quad. Back-face culling is another thing: of what is drawn, it leaves out the
-faces that look away. Where the hill is cut open they are seen, coral, and what is left inside.
+then become one long quad. Back-face culling is something else: it skips those of the drawn faces
+that look away. Where the hill is cut open, their backs show in coral, and so does what is left
+inside.
 
 Keys: 1 all faces, 2 exposed ones, 3 runs of them; C closes or cuts the hill, B culls.
 """

@@ -1,13 +1,12 @@
 """Light vectors: N, L, V, R and H at a point
 
-What the light at a point of a surface needs are directions: N at right angles to the surface, L
-to the light, V to the viewer. Diffuse light goes with the cosine of the angle between N and L,
-and is 0 when the light is below the surface. Specular light is strong where V is near R, the
-mirror image of L, or, as OpenGL has it, where H, halfway between L and V, is near N; both to the
-power n.
+The light at a point of a surface depends on directions: N at right angles to the surface, L to the
+light, V to the viewer. Diffuse light goes with the cosine of the angle between N and L, and is 0
+when the light is below the surface. Specular light is strong where V is near R, the mirror image of
+L, or, as OpenGL has it, where H, halfway between L and V, is near N; both to the power n.
 
-Keys: Left and Right move the light, Up and Down the viewer; N changes the exponent n; Space shows
-N and L alone.
+Keys: Left and Right move the light, Up and Down the viewer; N changes the exponent n; Space shows N
+and L alone.
 """
 # topic: light
 # needs: depth_buffer

@@ -1,8 +1,9 @@
 """Line clipping: cut at the near plane, then at the screen
 
-An outcode has a bit for each border of the screen, the dark area, that a point is beyond. A line
-whose ends share a bit is dropped, and any other is cut. Without the near plane, the track behind
-the camera hangs upside down in the sky; without the screen, pixels enter at the opposite border.
+The screen is the dark area. A point's outcode has a bit for each border of the screen that the
+point is beyond. A line whose ends share a bit is dropped, and any other is cut. Without the near
+plane, the track behind the camera hangs upside down in the sky; without the screen, pixels enter at
+the opposite border.
 
 Keys: N leaves out the near plane, S the screen; Left and Right turn the camera.
 """

@@ -3,7 +3,7 @@
 Level sheets with a texture of clouds are blended one over the other, dark ones below and light ones
 above. Blending needs them from far to near: upwards where the eye looks down on them, downwards
 where it looks up. They do not write their depth: if they do, the one that is drawn first hides what
-comes later and lies behind it, be it another sheet or a beam of light.
+comes later and lies behind it, whether another sheet or a beam of light.
 
 Keys: Up and Down raise and lower the eye; S leaves out the sort; D writes the depth.
 """

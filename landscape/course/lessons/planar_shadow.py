@@ -1,8 +1,9 @@
 """Planar shadow: a matrix that flattens rings onto floor and wall
 
-M = (p.l) I - l p^T moves each vertex along its ray of the light l onto the plane p; drawn so, dark
-and blended, the rings are a shadow. Without the stencil test, layers darken twice; without the
-polygon offset, shadow and plane fight for depth; with -p, only what is above the light casts one.
+M = (p.l) I - l p^T moves each vertex along its ray of the light l onto the plane p; drawn with it,
+dark and blended, the rings become a shadow. Without the stencil test, layers darken twice; without
+the polygon offset, shadow and plane fight for depth; with -p, only what is above the light casts
+one.
 
 Keys: S stencil test, O offset, D light at infinity, L light below the rings' top, N sign of p.
 """

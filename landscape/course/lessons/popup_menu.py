@@ -1,9 +1,9 @@
 """A popup menu: three buttons, and a menu that has menus
 
-The right button opens a menu where the mouse is. Moving over a line marks it; a line that leads
-to another menu opens that beside it. A click with the left button carries the marked line out,
-and closes the menu. The middle button drags the square. GLFW reports the buttons and the mouse;
-the menu is a list of rectangles, and the question which of them the mouse is in.
+The right button opens a menu where the mouse is. Moving over a line marks it; a line that leads to
+another menu opens that beside it. A click with the left button carries the marked line out, and
+closes the menu. The middle button drags the square. GLFW reports the buttons and the mouse; the
+menu is a list of rectangles, and a test of which of them the mouse is in.
 
 Keys: Space opens the menu; Up and Down move the mark, Enter carries it out.
 """

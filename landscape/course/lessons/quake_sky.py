@@ -1,8 +1,8 @@
 """Quake's sky: two layers of cloud on one dome
 
 A dome around the eye is drawn first, without depth. Its texture coordinates are those of a flat
-ceiling: clouds are small near the horizon. The first layer is opaque; the second one has holes by
-its alpha, which the program adds, and is blended over the first. The texture matrix moves both,
+ceiling: clouds are small near the horizon. The first layer is opaque; the second has holes, by an
+alpha channel that the program adds, and is blended over the first. The texture matrix moves both,
 the near one twice as fast. That is all that makes the sky deep.
 
 Keys: L second layer, O order of the layers, S the same speed for both, F ceiling or plain angles.

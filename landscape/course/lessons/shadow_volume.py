@@ -1,9 +1,10 @@
 """Shadow volume: shadows on everything, counted in the stencil buffer
 
 A body keeps the light from a volume: its silhouette, drawn out away from the light. The stencil
-buffer counts the front faces between the eye and each pixel, less the back faces; what is left is
-in shadow. Without back faces, all behind a volume is dark. With the eye in a volume front faces are
-missing; then one counts what is behind the pixel: the faces that fail the depth test.
+buffer counts the front faces between the eye and each pixel, less the back faces: where the count
+is above 0, the pixel is in shadow. Without back faces, all behind a volume is dark. With the eye in
+a volume front faces are missing; the fix is to count what is behind the pixel: the faces that fail
+the depth test.
 
 Keys: V shows the volumes, B leaves out back faces, L puts the eye in the shadow, F counts failures.
 """

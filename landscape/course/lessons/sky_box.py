@@ -3,7 +3,7 @@
 The six pictures of sky.jpg are the faces of a cube around the eye. The cube turns with the view,
 but the eye's translation comes after it, so that the sky is never nearer. It is drawn first and
 writes no depth, and so it is behind all, however small it is. If it writes depth, it hides the
-stones; if it is translated, too, one walks out of it; with GL_REPEAT, its edges show.
+stones; if it is translated, too, you walk out of it; with GL_REPEAT, its edges show.
 
 Keys: the arrows turn and walk; T translates the sky, D lets it write depth, R repeats its faces.
 """

@@ -1,10 +1,10 @@
 """Stroke text: letters made of lines
 
-A letter can be a drawing of lines, as GLUT's stroke fonts have it. Each one is given here as
-strokes over a grid of 3 by 5 points, and compiled into a display list, which moves on by a width
-at its end. So a text goes through all transformations as any shape does: it is scaled, turned and
-seen in perspective, as wide as glLineWidth says, and it may be dashed. Letters from a texture
-stay sharp at one size alone.
+A letter can be a drawing of lines, as in GLUT's stroke fonts. Each one is given here as strokes
+over a grid of 3 by 5 points, and compiled into a display list, which moves on by a width at its
+end. So a text goes through all transformations as any shape does: it is scaled, turned and seen in
+perspective, as wide as glLineWidth says, and it may be dashed. Letters from a texture stay sharp at
+one size alone.
 
 Keys: Up and Down roll the text; Left and Right change the width of the lines; Space dashes them.
 """

@@ -1,9 +1,9 @@
 """Texture objects: names, formats, and giving them back
 
 glGenTextures gives names, glBindTexture chooses the texture that all calls are about, and
-glTexImage2D fills it. Here one picture of red, green, blue and alpha is given to six textures,
-each with another internal format: what OpenGL keeps of it. Bound again, each is there without
-being sent again. A texture that glDeleteTextures has given back draws nothing but the plain
+glTexImage2D fills it. Here one picture of red, green, blue and alpha is given to six textures, each
+with another internal format: what OpenGL keeps of it. Bound again later, each is there at once,
+without being sent again. A texture that glDeleteTextures has given back draws nothing but the plain
 colour.
 
 Keys: 1 to 6 delete a texture, and make it again; Space leaves out glBindTexture when drawing.

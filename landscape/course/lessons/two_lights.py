@@ -1,10 +1,10 @@
 """Two lights: behind the viewer, and on the world's z axis
 
 The same numbers, (0, 0, 1, 0), as the position of a light: a direction along z, infinitely far
-away. Given before gluLookAt they are counted in the camera's frame, and the light comes from
-behind the viewer, wherever he goes. Given after it they are counted in the world's frame, and the
-light stays with the teapot. On the left are the two frames and both lights from outside, on the
-right is what the camera sees.
+away. Given before gluLookAt they are counted in the camera's frame, and the light comes from behind
+the viewer, wherever they go. Given after it they are counted in the world's frame, and the light
+stays with the teapot. On the left are the two frames and both lights from outside, on the right is
+what the camera sees.
 
 Keys: the arrows lead the camera around; Space gives the position before or after gluLookAt.
 """

@@ -1,8 +1,8 @@
 """The z-buffer by hand: a depth beside each colour
 
-Three triangles on a grid of 16 by 12 pixels, filled by the program itself. On the left is the
-grid of colours, on the right the grid of depths, from 0, near, to 9, far. For each pixel of each
-triangle the depth is compared with what is there: a nearer one replaces colour and depth, another
+Three triangles on a grid of 16 by 12 pixels, filled by the program itself. On the left is the grid
+of colours, on the right the grid of depths, from 0, near, to 9, far. For each pixel of each
+triangle the depth is compared with what is there: a nearer one replaces colour and depth, a farther
 one is dropped. So the triangles may come in any order, and may even cut each other. This is what
 OpenGL does with GL_DEPTH_TEST.
 
