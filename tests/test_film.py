@@ -2,11 +2,13 @@
 
 import multiprocessing
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import replace
 from fractions import Fraction
@@ -17,20 +19,22 @@ import numpy as np
 import pytest
 from commands import SECONDS, Shell, need_library, refused, running
 from environments import image, layer, path, svg, written
+from executors import Backwards
 from PIL import Image
 
-from framelens.base.errors import InputError, UnexpectedError
+from framelens.base.errors import UNEXPECTED, InputError, say_unexpected
+from framelens.base.executor import executor
 from framelens.base.texts import translator
 from landscape.files.assets import Assets
 from landscape.film import encode, making, tour
 from landscape.film.captions import Caption
 from landscape.film.cut import Film, Part, mixed
+from landscape.film.frames import drawn
 from landscape.film.making import write
 from landscape.film.replay import Replay
 from landscape.film.sources import Wanted, film_of
 from landscape.film.stage import Drawing, Stage
 from landscape.film.views import Flight, Look, Still
-from landscape.film.workers import drawn
 from landscape.frame import Pose
 from landscape.scene.scene import SCENES, find_view, scene
 from landscape.walk.app import Walk
@@ -112,10 +116,21 @@ def test_several_processes_draw_the_pixels_of_one_in_their_order(
     film = Film(parts, drawing(), Fraction(10))
     assert film.frames > 12
     alone = pictures(film)
-    shared = list(drawn(film, jobs))
+    with executor(jobs) as workers:
+        shared = list(drawn(film, workers, jobs))
     assert len({each.tobytes() for each in alone}) > 10
     assert len(shared) == film.frames
     assert all(np.array_equal(a, b) for a, b in zip(alone, shared, strict=True))
+
+
+@pytest.mark.parametrize("name", ["film.mp4", "film.gif"])
+def test_any_executor_makes_the_same_file(boards: None, tmp_path: Path, name: str) -> None:
+    film = Film((Part(board()), Part(board(), 0.3)), drawing(), Fraction(10))
+    files = []
+    for jobs, lent in ((1, None), (2, None), (3, Backwards())):
+        assert write(film, tmp_path / name, jobs, executor=lent) == film.frames
+        files.append((tmp_path / name).read_bytes())
+    assert files[0] == files[1] == files[2]
 
 
 @pytest.mark.slow
@@ -168,7 +183,7 @@ def test_a_film_without_opengl_needs_none(tmp_path: Path) -> None:
     asked = wanted(scene="flyover", seconds=0.5, drawing=replace(drawing(), backend="nowhere"))
     film = film_of([str(file)], asked)
     assert film.frames == 5
-    assert len({each.tobytes() for each in drawn(film, 1)}) == 5
+    assert len({each.tobytes() for each in drawn(film, executor(1), 1)}) == 5
 
 
 def test_a_drawn_path_leads_over_a_scene_and_never_below_its_ground(
@@ -309,12 +324,16 @@ def test_a_process_that_dies_ends_in_one_line_and_leaves_nothing(
 
 
 def test_a_defect_in_a_process_is_told_with_its_place_and_traceback(
-    boards: None, tmp_path: Path
+    boards: None, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     film = Film((Part(board("faulty")),), drawing(), Fraction(10))
-    with pytest.raises(UnexpectedError, match=r"KeyError: 'a defect', in .*faulty_scene") as told:
+    with pytest.raises(KeyError) as told:
         write(film, tmp_path / "film.mp4", 2)
-    assert "Traceback" in told.value.details and "in draw" in told.value.details
+    assert say_unexpected(told.value) == UNEXPECTED
+    line, *trace = capsys.readouterr().err.splitlines()
+    assert re.search(r"KeyError: 'a defect', in .*faulty_scene\.py, line \d+$", line)
+    assert any("in draw" in each for each in trace)
+    assert os.listdir(tmp_path) == [] and not multiprocessing.active_children()
 
 
 def test_an_error_in_a_process_is_told_in_its_own_words(tmp_path: Path) -> None:
@@ -326,9 +345,10 @@ def test_an_error_in_a_process_is_told_in_its_own_words(tmp_path: Path) -> None:
 
 def test_whoever_stops_looking_leaves_no_process_behind(boards: None) -> None:
     film = Film((Part(board()),), drawing(), Fraction(10))
-    with closing(drawn(film, 2)) as shown:
+    with pytest.raises(KeyError), executor(2) as workers, closing(drawn(film, workers, 2)) as shown:
         next(shown)
         assert len(multiprocessing.active_children()) == 2
+        raise KeyError
     assert not multiprocessing.active_children()
 
 
@@ -336,7 +356,7 @@ def test_whoever_stops_looking_leaves_no_process_behind(boards: None) -> None:
 def test_an_interrupted_film_is_shorter_and_can_be_played(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    def interrupted(film: Film, jobs: int, numbers: Sequence[int] | None = None):
+    def interrupted(film: Film, workers: Executor, jobs: int, numbers: Sequence[int] | None = None):
         yield from noise(7)
         if numbers is None:
             raise KeyboardInterrupt
@@ -352,7 +372,7 @@ def test_an_interrupted_film_is_shorter_and_can_be_played(
 def test_a_film_interrupted_before_its_first_picture_leaves_the_former_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def interrupted(film: Film, jobs: int):
+    def interrupted(film: Film, workers: Executor, jobs: int):
         raise KeyboardInterrupt
         yield
 

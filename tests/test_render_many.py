@@ -10,8 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from commands import SECONDS, running
+from executors import Backwards
 from PIL import Image
 
+from framelens.base import executor
 from framelens.base.errors import UNEXPECTED, InputError, say_unexpected
 from landscape.commands import render_many
 from landscape.island.views import VIEWS
@@ -25,7 +27,7 @@ NAMES = ("fig35a", "fig35e", "fig35g", "fig2a")
 def two(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make four pictures enough for two processes, on any machine."""
     monkeypatch.setattr(render_many, "FEWEST", 2)
-    monkeypatch.setattr(os, "cpu_count", lambda: 2)
+    monkeypatch.setattr(render_many, "cores", lambda: 2)
 
 
 def test_several_processes_draw_the_same_pictures_as_one(two: None, tmp_path: Path) -> None:
@@ -66,11 +68,20 @@ def test_a_defect_in_one_process_is_told_with_its_place_there(
 def test_few_pictures_are_drawn_without_further_processes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(render_many, "ProcessPoolExecutor", None)
+    monkeypatch.setattr(executor, "Processes", None)
     told: list[str] = []
     jobs = [("fig35a", "fig35a", tmp_path / "a.png")]
     render_many.render_all(jobs, ARGUMENTS, None, False, told.append)
     assert told == ["fig35a"] and (tmp_path / "a.png").exists()
+
+
+def test_any_executor_draws_the_same_files(tmp_path: Path) -> None:
+    files = []
+    for lent in (None, Backwards()):
+        jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
+        render_many.render_all(jobs, ARGUMENTS, 7.0, False, lambda name: None, executor=lent)
+        files.append([path.read_bytes() for _, _, path in jobs])
+    assert files[0] == files[1] and len(set(files[0])) == len(NAMES)
 
 
 @pytest.mark.slow

@@ -158,12 +158,17 @@ def write_all(files: Mapping[Path, bytes | Sequence[bytes]]) -> None:
             output.discard()
 
 
-def save_png(pixels: np.ndarray, path: Path, small: bool = False) -> None:
-    """Write uint8 pixels (h, w, 3 or 4) as a PNG, quickly or ``small``."""
+def png(pixels: np.ndarray, small: bool = False) -> bytes:
+    """Encode uint8 pixels (h, w, 3 or 4) as a PNG, quickly or ``small``."""
     buffer = io.BytesIO()
     # Level 1 is 15 times as fast as level 9, for a quarter more bytes.
     Image.fromarray(pixels).save(buffer, "PNG", compress_level=9 if small else 1)
-    write_whole(path, buffer.getvalue())
+    return buffer.getvalue()
+
+
+def save_png(pixels: np.ndarray, path: Path, small: bool = False) -> None:
+    """Write uint8 pixels (h, w, 3 or 4) as a PNG, quickly or ``small``."""
+    write_whole(path, png(pixels, small))
 
 
 def output_paths(out: Path | None, names: list[str]) -> list[Path]:

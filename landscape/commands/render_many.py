@@ -1,32 +1,43 @@
-"""Many stills, drawn by several processes: a single one keeps only a core and a half busy.
+"""Many stills, drawn side by side: a single process keeps only a core and a half busy.
 
-Each process has one context and one island, like ``landscape render``. A picture does not depend on
-the process that draws it.
+Each worker has one context and one island, like ``landscape render``. A picture does not depend on
+the worker that draws it.
 """
 
-import multiprocessing
-import os
+import pickle
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Executor
+from contextlib import closing
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from framelens.base.errors import InputError
-from framelens.base.output import save_png
-from framelens.system import starting_workers
-from framelens.system.processes import begin_worker
+from framelens.base.executor import Kept, ahead, in_order, lent_or_own
+from framelens.base.output import png, write_whole
+from framelens.system.processes import cores
 from framelens.tape.edits import Edit, Edits
 from landscape.frame import Pose
 from landscape.offscreen import Offscreen
 from landscape.scene.scene import SCENES
 
 FEWEST = 16  # chosen: with fewer stills, starting another process costs more than it saves
-MOST_PROCESSES = 4  # chosen: llvmpipe's own threads keep the other cores busy
 
 Job = tuple[str, str | Pose, Path]  # name, view, file
-_offscreen: Offscreen | None = None
-_edits = Edits()
+
+
+@dataclass(frozen=True)
+class _Stills:
+    """How stills are drawn: what all of them have in common; ``arguments`` are an Offscreen's.
+
+    ``scenes`` is the list of scenes, which a worker would not know if it has been added to.
+    """
+
+    arguments: dict[str, Any]
+    kt: float | None
+    wireframe: bool
+    edits: tuple[Edit, ...]
+    scenes: dict[str, str]
 
 
 def render_all(
@@ -36,66 +47,58 @@ def render_all(
     wireframe: bool,
     done: Callable[[str], None],
     edits: Sequence[Edit] = (),
+    executor: Executor | None = None,
 ) -> list[str]:
     """Draw and save each job, then call ``done`` with its name; ``arguments`` are an Offscreen's.
 
+    The workers are processes of this machine, as many as pay, or those of an ``executor``.
     ``edits`` are in force in all pictures. Return a line for each that found no call in any.
 
-    After Ctrl-C, or when one job fails, jobs that have begun are finished and no more are started,
-    so all files on the disk are complete.
+    After Ctrl-C, or when one job fails, all files on the disk are complete.
     """
-    count = min(os.cpu_count() or 1, MOST_PROCESSES, len(jobs) // (FEWEST // 2))
     watched = Edits(edits)
-    if count < 2:
-        with Offscreen(**arguments, edits=watched if edits else None) as offscreen:
-            for name, view, path in jobs:
-                offscreen.look(view, kt, wireframe)
-                save_png(offscreen.draw(), path)
+    count = max(min(cores(), len(jobs) // (FEWEST // 2)), 1)
+    stills = _Stills(dict(arguments), kt, wireframe, tuple(edits), dict(SCENES))
+    task = partial(draw, pickle.dumps(stills))
+    views = [view for _, view, _ in jobs]
+    try:
+        with (
+            lent_or_own(executor, count) as workers,
+            closing(in_order(workers, task, views, ahead(count))) as pictures,
+        ):
+            for (name, _, path), (picture, matched) in zip(jobs, pictures, strict=True):
+                write_whole(path, picture)
+                watched.found |= matched
                 done(name)
-        return watched.missed()
-
-    # Spawned, not forked: a fork of a process that has used OpenGL may hang.
-    spawn = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(count, spawn, _prepare, (dict(SCENES),)) as pool:
-        with starting_workers():
-            names = {
-                pool.submit(_draw, dict(arguments), view, kt, wireframe, path, edits): name
-                for name, view, path in jobs
-            }
-        try:
-            for drawn in as_completed(names):
-                watched.found |= drawn.result()
-                done(names[drawn])
-        except BrokenProcessPool:
-            raise InputError("render: a process was killed (perhaps out of memory)") from None
-        finally:
-            pool.shutdown(cancel_futures=True)
+    finally:
+        _open.close()  # where the executor is one in this process
 
     return watched.missed()
 
 
-def _prepare(scenes: Mapping[str, str]) -> None:
-    """Begin a worker process, with its parent's list of scenes."""
-    begin_worker()
-    SCENES.update(scenes)
+def draw(packed: bytes, view: str | Pose) -> tuple[bytes, set[int]]:
+    """Return a still as a PNG: a task for any executor.
 
-
-def _draw(
-    arguments: dict[str, Any],
-    view: str | Pose,
-    kt: float | None,
-    wireframe: bool,
-    path: Path,
-    edits: Sequence[Edit],
-) -> set[int]:
-    """Draw one picture in a process of the pool; the first one opens its context.
-
-    Return which edits have found their call, in this picture or in an earlier one.
+    Return, too, which edits have found their call, in this picture or in an earlier one.
     """
-    global _offscreen, _edits
-    if _offscreen is None:
-        _edits = Edits(edits)
-        _offscreen = Offscreen(**arguments, edits=_edits if edits else None)
-    _offscreen.look(view, kt, wireframe)
-    save_png(_offscreen.draw(), path)
-    return _edits.found
+    with _open.opened(packed, lambda: _Opened(pickle.loads(packed))) as opened:
+        opened.offscreen.look(view, opened.stills.kt, opened.stills.wireframe)
+        return png(opened.offscreen.draw()), opened.edits.found
+
+
+class _Opened:
+    """A context, and the edits that are in force in it."""
+
+    def __init__(self, stills: _Stills) -> None:
+        SCENES.update(stills.scenes)
+        self.stills = stills
+        self.edits = Edits(stills.edits)
+        edits = self.edits if stills.edits else None
+        self.offscreen = Offscreen(**stills.arguments, edits=edits)
+
+    def close(self) -> None:
+        """Release what is open."""
+        self.offscreen.close()
+
+
+_open: Kept[_Opened] = Kept()

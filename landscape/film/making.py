@@ -1,39 +1,50 @@
-"""Making a film: its frames are drawn by several processes and encoded in order into one file."""
+"""Making a film: its frames are drawn side by side and encoded in order into one file."""
 
 import argparse
+from concurrent.futures import Executor
 from contextlib import closing, suppress
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from framelens.base.executor import lent_or_own
 from framelens.base.progress import Progress
 from framelens.commands.reporting import notify
 from framelens.system import interrupts_held
 from landscape.film.cut import Film
 from landscape.film.encode import Encoder, encoder
-from landscape.film.workers import drawn
+from landscape.film.frames import drawn
 
 SAMPLED = 12  # chosen: how many frames the palette of a GIF is made from
 
 
-def write(film: Film, out: Path, jobs: int, quiet: bool = True) -> int:
-    """Draw a film by ``jobs`` processes into a file; return how many frames it has.
+def write(
+    film: Film, out: Path, jobs: int, quiet: bool = True, executor: Executor | None = None
+) -> int:
+    """Draw a film by ``jobs`` workers into a file; return how many frames it has.
 
-    They are fewer than the film's after Ctrl-C; if there is none yet, KeyboardInterrupt goes on,
-    and nothing is written. InputError and NoOpenGLError, too, leave what stood there before.
+    The workers are processes of this machine, or those of an ``executor``. The frames are fewer
+    than the film's after Ctrl-C; if there is none yet, KeyboardInterrupt goes on, and nothing is
+    written. InputError and NoOpenGLError, too, leave what stood there before.
     """
     encoded: Encoder | None = None
     done = 0
     try:
-        with Progress(film.frames, quiet) as progress:
-            encoded = encoder(out, film.drawing.size, film.fps, lambda: samples(film, jobs))
-            with suppress(KeyboardInterrupt), closing(drawn(film, jobs)) as pictures:
+        with (
+            suppress(KeyboardInterrupt),
+            Progress(film.frames, quiet) as progress,
+            lent_or_own(executor, min(jobs, film.frames)) as workers,
+        ):
+            palette = partial(samples, film, workers, jobs)
+            encoded = encoder(out, film.drawing.size, film.fps, palette)
+            with closing(drawn(film, workers, jobs)) as pictures:
                 for pixels in pictures:
                     with interrupts_held():
                         encoded.add(pixels)
                         done += 1
                     progress.step("frames")
-        if not done:
+        if encoded is None or not done:
             raise KeyboardInterrupt
         with interrupts_held():
             encoded.finish()
@@ -44,11 +55,11 @@ def write(film: Film, out: Path, jobs: int, quiet: bool = True) -> int:
     return done
 
 
-def samples(film: Film, jobs: int) -> list[np.ndarray]:
+def samples(film: Film, executor: Executor, jobs: int) -> list[np.ndarray]:
     """Return some of the film's pictures, small, from all over it."""
     count = min(SAMPLED, film.frames)
     numbers = [(2 * k + 1) * film.frames // (2 * count) for k in range(count)]
-    return [pixels[::2, ::2] for pixels in drawn(film, jobs, numbers)]
+    return [pixels[::2, ::2] for pixels in drawn(film, executor, jobs, numbers)]
 
 
 def finished(film: Film, kept: int, options: argparse.Namespace) -> int:

@@ -1,11 +1,9 @@
 """Build the assets: run the makers from the studio modules' tables and write their files."""
 
 import io
-import multiprocessing
 import os
 from collections.abc import Callable, Generator
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Executor
 from contextlib import closing
 from importlib import import_module
 from pathlib import Path
@@ -16,11 +14,10 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 from framelens.base.errors import InputError
+from framelens.base.executor import in_order, lent_or_own
 from framelens.base.installation import how_to_add
 from framelens.base.output import write_whole
 from framelens.base.progress import Progress
-from framelens.system import starting_workers
-from framelens.system.processes import begin_worker
 from landscape.files.assets import shipped
 
 # The height field comes first: the ground textures and the map are derived from it.
@@ -182,37 +179,31 @@ def make(name: str) -> bytes:
     return encoded(made, PALETTES.get(name, 0), made_from())
 
 
-def make_all(names: list[str]) -> Generator[tuple[str, bytes], None, None]:
-    """Make the assets in up to PROCESSES processes; yield name and bytes as each one completes."""
+def make_all(
+    names: list[str], executor: Executor | None = None
+) -> Generator[tuple[str, bytes], None, None]:
+    """Make the assets side by side; yield the name and the bytes of each, in this order.
+
+    The workers are up to PROCESSES processes of this machine, or those of an ``executor``.
+    """
     count = min(PROCESSES, os.cpu_count() or 1, len(names))
-    if count == 1:
-        yield from ((name, make(name)) for name in names)
-        return
-
-    # Spawned, not forked: forking a process that has threads can deadlock.
-    spawn = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(count, spawn, initializer=begin_worker)
-    try:
-        with starting_workers():
-            jobs = {pool.submit(make, name): name for name in names}
-        for job in as_completed(jobs):
-            yield jobs[job], job.result()
-    except BrokenProcessPool:
-        raise InputError("assets build: a process was killed (perhaps out of memory)") from None
-    except BaseException:
-        # The other processes' results are no longer needed, and they could run for minutes.
-        for process in multiprocessing.active_children():
-            process.terminate()
-        raise
-    finally:
-        pool.shutdown(cancel_futures=True)
+    with (
+        lent_or_own(executor, count) as workers,
+        closing(in_order(workers, make, names, ahead=len(names) if count > 1 else 1)) as files,
+    ):
+        yield from zip(names, files, strict=True)
 
 
-def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> int:
-    """Build the named assets (all if none are named) into ``folder``.
+def build(
+    names: list[str],
+    folder: Path | None = None,
+    quiet: bool = False,
+    executor: Executor | None = None,
+) -> int:
+    """Build the named assets (all if none are named) into ``folder``; return the exit status.
 
-    The default folder is that of the shipped assets. Raises InputError for an unknown asset, a
-    folder that cannot be created, or a missing extra.
+    The default folder is that of the shipped assets; for ``executor`` see :func:`make_all`.
+    Raises InputError for an unknown asset, a folder that cannot be created, or a missing extra.
     """
     try:
         makers = table()
@@ -230,8 +221,11 @@ def build(names: list[str], folder: Path | None = None, quiet: bool = False) -> 
     except OSError as error:
         raise InputError(f"--assets {target}: cannot be created ({error.strerror})") from None
 
-    with Progress(len(selected), quiet) as progress, closing(make_all(selected)) as made:
-        for name, data in made:
+    with (
+        Progress(len(selected), quiet) as progress,
+        closing(make_all(selected, executor)) as files,
+    ):
+        for name, data in files:
             write_whole(target / name, data)
             progress.step(name)
             if not quiet and not progress.shown:

@@ -16,7 +16,9 @@ import shutil
 import subprocess
 import sys
 import time
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Executor
+from functools import partial
+from operator import call
 from pathlib import Path
 
 import calls
@@ -28,6 +30,7 @@ import start
 import theme
 from drawn import Drawn, draw_exercise, draw_lesson, read_scene, shrink
 
+from framelens.base.executor import ahead, in_order, lent_or_own
 from framelens.base.progress import Progress
 from framelens.base.texts import LANGUAGES
 from landscape.course.exercise import NAMES
@@ -72,19 +75,29 @@ def build(out: Path, jobs: int) -> int:
     return 0
 
 
-def draw(folder: Path, jobs: int) -> Drawn:
-    """Draw all pictures into a folder; return what was seen on the way."""
+def draw(folder: Path, jobs: int, engine: Executor | None = None) -> Drawn:
+    """Draw all pictures into a folder; return what was seen on the way.
+
+    The workers are ``jobs`` processes of this machine, or those of an ``engine`` that shares its
+    folders.
+    """
     for language in LANGUAGES:
         (folder / language).mkdir(parents=True)
     drawn = Drawn(folder)
     views = [(name, preset) for preset in ("2006", "best") for name in scene().main]
-    work = [(draw_lesson, (each.name, word, folder)) for each in lessons() for word in LANGUAGES]
-    work += [(draw_exercise, (name, folder)) for name in NAMES]
-    work += [(read_scene, (name, preset)) for name, preset in views]
-    work += [(shrink, (path, folder)) for path in gallery.pictures()]
-    with ProcessPoolExecutor(jobs) as pool, Progress(len(work), False) as progress:
-        for done in [pool.submit(function, *arguments) for function, arguments in work]:
-            drawn.add(done.result())
+    work = [
+        *(
+            partial(draw_lesson, each.name, word, folder)
+            for each in lessons()
+            for word in LANGUAGES
+        ),
+        *(partial(draw_exercise, name, folder) for name in NAMES),
+        *(partial(read_scene, name, preset) for name, preset in views),
+        *(partial(shrink, path, folder) for path in gallery.pictures()),
+    ]
+    with lent_or_own(engine, jobs) as workers, Progress(len(work), False) as progress:
+        for seen in in_order(workers, call, work, ahead(jobs)):
+            drawn.add(seen)
             progress.step("pictures")
     return drawn
 
