@@ -165,6 +165,32 @@ print(os.environ.get("LIBGL_ALWAYS_SOFTWARE"))
 
 
 @linux
+def test_egl_draws_by_a_device_where_a_driver_has_no_other_display() -> None:
+    need_library("EGL")
+    code = """
+from framelens.base.errors import NoOpenGLError
+from framelens.gl.contexts import egl
+without("OSMesa")
+known = egl.devices()
+
+def missing(*_):
+    raise NoOpenGLError("no display")
+
+# Mesa's device, taken for a graphics card: the only display that is left.
+egl.EGLContext._surfaceless = missing
+egl.library().eglGetDisplay = missing
+egl.devices = lambda: [(handle, False) for handle, _ in known]
+if known:
+    tell(open_context("egl"))
+else:
+    print("egl: no devices")
+"""
+    done = python(BEGIN + code)
+    assert done.status == 0, done.err
+    assert done.out.startswith("egl")
+
+
+@linux
 def test_a_renderer_that_is_no_software_is_refused_where_software_is_asked_for() -> None:
     need_library("EGL")
     code = """
