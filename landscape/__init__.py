@@ -4,20 +4,21 @@
 >>> image = landscape.render("fig35e", size=(1280, 720))
 """
 
-from importlib import import_module
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from __future__ import annotations
 
 from framelens.base import packages
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from framelens.base.errors import InputError, NoOpenGLError
     from landscape.offscreen import Offscreen, render
 
 __version__ = "0.2.0"
 __all__ = ["InputError", "NoOpenGLError", "Offscreen", "render"]
 
-packages.add("landscape", Path(__file__).resolve().parent, unseen=("gl",))
+packages.add("landscape", __file__, unseen=("gl",))
 
 # Imported when asked for: the command line, the lessons and the tests need only some of it.
 _HOMES = {
@@ -31,6 +32,8 @@ _HOMES = {
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
     value = getattr(import_module(_HOMES[name]), name)
     globals()[name] = value
     return value

@@ -1,259 +1,119 @@
-"""The command line: parse, call, report.
+"""The command line. Each command is a module of :mod:`landscape.commands`, imported when asked for.
 
 Exit status: 0 done, 1 a check failed, 2 bad input, 3 no usable OpenGL, 70 a defect of this program.
 """
 
 import argparse
-import json
 import os
-from collections.abc import Callable, Sequence
-from dataclasses import astuple, replace
-from importlib import import_module
-from pathlib import Path
-from typing import Any
+import sys
+from collections.abc import Sequence
 
-from framelens.base.errors import InputError
+from framelens.base.texts import LANGUAGES, Phrases, choose, translator
+from framelens.base.texts import marked as _
+from framelens.commands.parser import Parser, add_commands, parted
 from framelens.commands.reporting import run_command
 from landscape import __version__
-from landscape.commands.changes import given_changes, notify, offscreen_options, tell_of_no_effect
-from landscape.commands.common import parse
-from landscape.frame import Pose
-from landscape.scene.scene import SCENES, View, find_view, listed_views, scene
+from landscape.course.language import told_in
+
+COMMANDS = {
+    "walk": "walk a scene in a window",
+    "render": "render views to PNG files",
+    "views": "list the named views and the fixes",
+    "figures": "draw the report's figures",
+    "trace": "print the OpenGL calls of a frame",
+    "pixel": "print what happened to a pixel: every draw that covered it",
+    "state": "print OpenGL's state at a call of a frame",
+    "strip": "show how a frame grows, step by step: a sheet, an animation or a page",
+    "why": "find out why a picture is black, or wrong, and name the cause",
+    "inspect": "open the inspector over a program's window (F12)",
+    "flyover": "fly over a terrain, drawn without OpenGL",
+    "lesson": _("list the lessons of the course; run one, draw it or copy it"),
+    "exercise": _("exercises for students: list them, start one, check what was written"),
+    "exercise list": _("list the exercises, the easiest first"),
+    "exercise start": _("write the program of an exercise, with its task and a hole to fill"),
+    "exercise check": _(
+        "run a program that was written for an exercise, and grade it: exit status 0 if it "
+        "passes, 1 if not, 2 if it cannot be run"
+    ),
+    "lecture": _("show lessons and views one after another, full screen"),
+    "assets": "make, show or fetch assets",
+    "assets build": "make assets from code (needs the extra `studio`)",
+    "assets check": "check every asset: seams, edges, sizes, meshes",
+    "assets sheet": "one contact sheet of all assets",
+    "assets fetch-stanford": "download the Stanford bunny and dragon",
+    "places": "save where trees, deer and plants stand to a file",
+    "bench": "measure frames, grass and startup",
+    "film": "draw a film",
+    "settings": "list the settings: all, or some",
+    "doctor": "report which OpenGL backends work here",
+}
+"""The commands by name, with what their help says that they do."""
+
+PROGRAMS = ("trace", "pixel", "state", "strip", "why", "inspect")
+"""The commands that run a program: what follows `--` is for it."""
+
+COURSE = ("lesson", "exercise", "lecture")
+"""The commands whose help is in the user's language."""
+
+HELP: Phrases = (
+    "usage: ",
+    "positional arguments",
+    "options",
+    "example: ",
+    "show this help message and exit",
+    "language of the texts; default: by LANGUAGE, LC_ALL, LC_MESSAGES or LANG",
+    "how OpenGL is opened; default: %(default)s, the first that works",
+)
+"""What argparse writes into a help, and what commands of other subjects write there, too."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
-    return run_command(argv, lambda words: parse(words, COMMANDS))
+    return run_command(argv, parse)
 
 
-def _edits(options: argparse.Namespace) -> list[Any]:
-    """Return the edits of --edits, none without it."""
-    from framelens.tape.edit_files import read
-
-    return read(options.edits) if options.edits else []
-
-
-WALK_OPTIONS = (
-    "size",
-    "fullscreen",
-    "record",
-    "replay",
-    "frames",
-    "fps",
-    "backend",
-    "only",
-    "seed",
-    "wireframe",
-    "quiet",
-    "edits",
-    "world",
-    "path",
-)
+def parse(argv: Sequence[str] | None = None) -> argparse.Namespace:
+    """Parse the command line; views may come before, between and after the options."""
+    words = list(sys.argv[1:] if argv is None else argv)
+    language = _language(words)
+    with told_in(language):
+        words, arguments = parted(words, PROGRAMS)
+        parser = build_parser(words[:1], language)
+        options, rest = parser.parse_known_args(words)
+        options.arguments = arguments
+        if rest:
+            # argparse itself takes only the views before the first option.
+            if "views" not in options or any(word.startswith("-") for word in rest):
+                parser.error(f"unrecognized arguments: {' '.join(rest)}")
+            options.views = [*options.views, *rest]
+    return options
 
 
-def _walk(options: argparse.Namespace) -> int:
-    from landscape.commands.walk import walk
-    from landscape.files.assets import Assets
-    from landscape.walk.recording import MAX_NUMBER
+def build_parser(
+    asked: Sequence[str] | None = None, language: str = "en"
+) -> argparse.ArgumentParser:
+    """Return the parser; without a command it prints the help.
 
-    kind, named = find_view(options.view or scene().start)
-    begin = kind.as_walked(named, options.preset)
-    if options.pose is not None:
-        if options.path is not None:
-            raise InputError("--pose: a walk along --path begins there; expected one of the two")
-        if any(number and abs(number) > MAX_NUMBER for number in astuple(options.pose)):
-            raise InputError(f"--pose: expected numbers up to {MAX_NUMBER:g}")
-        begin = replace(begin, pose=options.pose)
-    if options.kt is not None:
-        begin = replace(begin, kt=options.kt)
-    changes = given_changes(options, kind)
-    if options.replay is None:
-        only = kind.shown(begin) if options.only is None else options.only
-        told = kind.notices(replace(begin, shown=()), options.preset, changes, only, walking=True)
-        notify(options, list(told.values()))
-    return walk(
-        kind,
-        begin,
-        settings=kind.values(kind.preset_of(begin), begin.settings, changes),
-        assets=Assets(options.assets),
-        language=options.lang,
-        given=changes,
-        **{name: getattr(options, name) for name in WALK_OPTIONS},
+    With ``asked``, the first word of a command line, only the command of that name has its options.
+    """
+    parser = Parser(
+        prog="landscape",
+        description="The landscape of the 2006 report, in fixed-function OpenGL.",
+        epilog="example: landscape render fig35e --size 1600x900",
     )
+    parser.add_argument("--version", action="version", version=f"landscape {__version__}")
+    translate = translator(language, "course")
+    add_commands(parser, COMMANDS, "landscape.commands", asked, translate)
+    return parser
 
 
-def _render(options: argparse.Namespace) -> int:
-    from framelens.base.output import output_paths
-    from framelens.base.progress import Progress
-    from landscape.commands.render_many import render_all
+def _language(words: Sequence[str]) -> str:
+    """Return the language in which a command line, in words, is answered; "en" but in the course.
 
-    views: list[tuple[str, str | Pose]] = [(name, name) for name in options.views]
-    places = [find_view(name) for name in options.views]
-    if options.pose is not None:
-        views.append(("pose", options.pose))
-        places.append((scene(options.scene), View("pose", "", options.pose)))
-    if not views:
-        raise InputError("render: expected a VIEW or --pose; `landscape views` lists the views")
-    paths = output_paths(options.out, [name for name, _ in views])
-    jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
-    changes = given_changes(options, *(kind for kind, _ in places))
-    arguments = {"size": options.size, "settings": changes, "place": options.scene}
-    arguments |= offscreen_options(options) | {"world": options.world}
-    edits = _edits(options)
-    with Progress(len(jobs), options.quiet) as progress:
-        missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
-    notify(options, missed)
-    tell_of_no_effect(options, places, changes)
-    if not options.quiet:
-        print("\n".join(map(str, paths)))
-    return 0
-
-
-def _views(options: argparse.Namespace) -> int:
-    views = listed_views()
-    if options.json:
-        print(json.dumps(views, indent=1))
-    else:
-        from framelens.base.texts import choose, translator
-
-        _ = translator(choose(os.environ), "gallery", "fixes")
-        wide = max(len(view["name"]) for view in views)
-        for view in views:
-            shows = _(view["shows"], view["name"])
-            print(f"{view['name']:{wide}} {view['scene']:6} {view['preset']:4} {shows}")
-    return 0
-
-
-def _figures(options: argparse.Namespace) -> int:
-    from landscape.gallery import figures
-
-    # The gallery is part of the checkout; without one, look in the current folder.
-    kept = Path(__file__).resolve().parents[1] / "screenshots"
-    if not kept.is_dir():
-        kept = Path("screenshots")
-    drawing = {
-        **offscreen_options(options),
-        "settings": given_changes(options, *map(scene, SCENES)),
-    }
-    del drawing["preset"]
-    if options.update:
-        figures.update(options.names, kept, drawing, options.quiet)
-        return 0
-    if options.check:
-        if not kept.is_dir():
-            raise InputError(
-                "figures --check: the committed pictures are not installed with the program: "
-                "expected a checkout, or its folder screenshots in the current folder"
-            )
-        return figures.check(options.names, kept, options.out, drawing, options.quiet)
-    for path in figures.make(options.names, options.out, drawing, options.quiet):
-        if not options.quiet:
-            print(path)
-    return 0
-
-
-def _frame(name: str) -> Callable[[argparse.Namespace], int]:
-    """Return the function of a command that looks into a frame."""
-
-    def run(options: argparse.Namespace) -> int:
-        from landscape.commands.frames import look
-
-        return look(name, options)
-
-    return run
-
-
-def _of(module: str, function: str = "run") -> Callable[[argparse.Namespace], int]:
-    """Return the function of a command that another module has; it is imported when it runs."""
-
-    def run(options: argparse.Namespace) -> int:
-        status: int = getattr(import_module(f"landscape.{module}"), function)(options)
-        return status
-
-    return run
-
-
-def _flyover(options: argparse.Namespace) -> int:
-    from landscape.flyover.app.command import run
-
-    return run(
-        options,
-        watch=lambda *given: import_module("landscape.flyover.app.window").show(*given),
-        film=lambda *given: import_module("landscape.flyover.app.film").run(*given),
-        version=__version__,
-    )
-
-
-def _assets_build(options: argparse.Namespace) -> int:
-    from landscape.studio.build import build
-
-    return build(options.names, options.assets, options.quiet)
-
-
-def _assets_check(options: argparse.Namespace) -> int:
-    from landscape.studio.asset_check import report
-
-    return report(options.assets, options.json)
-
-
-def _assets_sheet(options: argparse.Namespace) -> int:
-    from framelens.base.output import output_paths, save_png
-    from landscape.gallery.sheet import contact_sheet
-
-    (path,) = output_paths(options.out, ["sheet"])
-    save_png(contact_sheet(options.assets), path)
-    print(path)
-    return 0
-
-
-def _assets_fetch(options: argparse.Namespace) -> int:
-    from landscape.files.stanford import fetch
-
-    rabbit, dragon = fetch(options.out, quiet=options.quiet)
-    print(f"landscape walk --set rabbit.mesh={rabbit} --set dragon.mesh={dragon}")
-    return 0
-
-
-def _settings(options: argparse.Namespace) -> int:
-    from landscape.commands.settings_list import as_text, rows
-
-    found = rows(options.preset, given_changes(options, *map(scene, SCENES)), options.word)
-    print(json.dumps(found, indent=1) if options.json else "\n".join(as_text(found)))
-    return 0
-
-
-def _doctor(options: argparse.Namespace) -> int:
-    from landscape.commands.doctor import examine, report
-
-    found = examine()
-    print(json.dumps(found, indent=1) if options.json else report(found))
-    return 0 if found["chosen"] else 3
-
-
-COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
-    "walk": _walk,
-    "render": _render,
-    "views": _views,
-    "figures": _figures,
-    "trace": _frame("trace"),
-    "pixel": _frame("pixel"),
-    "state": _frame("state"),
-    "strip": _frame("strip"),
-    "why": _frame("why"),
-    "inspect": _of("commands.frames", "inspect"),
-    "lesson": _of("commands.lesson"),
-    "lecture": _of("commands.lecture"),
-    "flyover": _flyover,
-    "assets build": _assets_build,
-    "assets check": _assets_check,
-    "assets sheet": _assets_sheet,
-    "assets fetch-stanford": _assets_fetch,
-    "exercise list": _of("commands.exercise", "list_"),
-    "exercise start": _of("commands.exercise", "start_"),
-    "exercise check": _of("commands.exercise", "check"),
-    "places": _of("commands.places"),
-    "bench": _of("commands.bench"),
-    "film": _of("commands.film"),
-    "settings": _settings,
-    "doctor": _doctor,
-}
+    It is read here before the command line is parsed, as the parser's errors are in it.
+    """
+    if not words or words[0] not in COURSE:
+        return "en"
+    asked = [after for word, after in zip(words, words[1:], strict=False) if word == "--lang"]
+    asked += [word.removeprefix("--lang=") for word in words if word.startswith("--lang=")]
+    return asked[-1] if asked and asked[-1] in LANGUAGES else choose(os.environ)

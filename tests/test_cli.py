@@ -21,7 +21,7 @@ from PIL import Image
 from stage import SMALL_BEST
 
 from landscape import __version__, cli
-from landscape.commands.common import build_parser, parse
+from landscape.cli import build_parser, parse
 from landscape.elements import settings
 from landscape.files.assets import recording
 from landscape.island.fixes import FIXES
@@ -72,7 +72,7 @@ def commands(
     return found
 
 
-ALL = commands(build_parser(cli.COMMANDS))
+ALL = commands(build_parser())
 
 
 def pictures(folder: Path) -> list[str]:
@@ -91,6 +91,30 @@ def test_every_command_has_help_with_an_example(command: tuple[str, ...], shell:
         assert "example: landscape " + " ".join(command) in " ".join(done.out.split())
 
 
+def imported(*words: str) -> set[str]:
+    """Return the modules that a fresh Python has imported after a command."""
+    code = (
+        "import sys\nfrom landscape.cli import main\nmain(sys.argv[1:])\nprint()\n"
+        "print(*sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, *words], env=environment(), capture_output=True, text=True
+    )
+    return set(done.stdout.splitlines()[-1].split())
+
+
+def test_a_command_imports_neither_another_one_nor_what_that_needs() -> None:
+    modules = imported("settings", "fog")
+    assert "landscape.commands.settings" in modules
+    assert not modules & {"landscape.commands.views", "landscape.commands.walk", "glfw"}
+
+
+def test_the_list_of_commands_imports_none_of_them() -> None:
+    modules = imported()
+    assert "landscape.cli" in modules
+    assert not modules & {"numpy", "OpenGL", "landscape.commands.walk", "landscape.scene"}
+
+
 @pytest.mark.parametrize("words", [(), ("assets",)], ids=["landscape", "assets"])
 def test_without_a_command_the_help_is_printed(words: tuple[str, ...], shell: Shell) -> None:
     done = shell(*words)
@@ -103,7 +127,7 @@ def test_the_version_is_that_of_the_package(shell: Shell) -> None:
 
 @pytest.mark.parametrize("command", ALL, ids=" ".join)
 def test_every_option_has_help_that_names_its_default(command: tuple[str, ...]) -> None:
-    parser: Any = build_parser(cli.COMMANDS)
+    parser: Any = build_parser()
     for word in command:
         parser = parser._subparsers._group_actions[0].choices[word]
     for action in parser._actions:
@@ -139,7 +163,7 @@ def test_a_help_text_can_be_expanded_as_soon_as_its_option_is_added(
 
     monkeypatch.setattr(argparse._ActionsContainer, "add_argument", add_argument)
     monkeypatch.setattr(argparse._SubParsersAction, "add_parser", add_parser)
-    build_parser(cli.COMMANDS)
+    build_parser()
     # The check itself: a text that lacks its parameter, and a lone percent sign.
     for text in ("some of %(elements)s", "50% of the elements"):
         parser = argparse.ArgumentParser()
@@ -179,7 +203,7 @@ def test_the_gallery_s_check_without_its_pictures_says_so(
     shell: Shell, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(shell.cwd)
-    monkeypatch.setattr(cli, "__file__", str(shell.cwd / "landscape" / "cli.py"))
+    monkeypatch.setattr("landscape.__file__", str(shell.cwd / "landscape" / "__init__.py"))
     assert cli.main(["figures", "fig4a", "--check"]) == 2
     told = capsys.readouterr().err
     assert told.startswith("landscape: figures --check: ") and told.count("\n") == 1
@@ -207,7 +231,7 @@ def test_the_example_in_the_help_parses(command: str, shell: Shell) -> None:
     text = " ".join(shell(command, "--help").out.split())
     arguments = text.partition("example: landscape ")[2].split()
     assert arguments[0] == command
-    assert parse(arguments, cli.COMMANDS).run is not None
+    assert parse(arguments).run is not None
 
 
 # --- JSON output -------------------------------------------------------------------------------
@@ -592,7 +616,7 @@ def test_a_pose_may_start_with_a_minus_sign_and_kt_may_be_negative(shell: Shell)
 def test_yaw_90_looks_east_and_pitch_90_looks_up() -> None:
     def forward(pose: str) -> tuple[float, ...]:
         arguments = ["render", f"--pose={pose}"]
-        return parse(arguments, cli.COMMANDS).pose.forward  # type: ignore[no-any-return]
+        return parse(arguments).pose.forward  # type: ignore[no-any-return]
 
     assert forward("1, 2, 3, 90, 0") == pytest.approx((1, 0, 0))
     assert forward("1,2,3,0,0") == pytest.approx((0, 0, -1))
@@ -699,7 +723,7 @@ def test_what_fails_on_the_way_out_of_a_command_that_is_ended_is_no_defect(
         return 0
 
     before = signal.signal(number, signal.default_int_handler)
-    monkeypatch.setitem(cli.COMMANDS, "views", work)
+    monkeypatch.setattr("landscape.commands.views.run", work)
     assert cli.main(["views"]) == status
     assert signal.signal(number, before) is signal.default_int_handler
     assert "defect" not in capsys.readouterr().err

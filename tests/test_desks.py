@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from landscape.cli import COMMANDS
-from landscape.commands.common import parse
+from landscape.cli import parse
 from landscape.scene.scene import find_view
 
 ROOT = Path(__file__).parents[1]
@@ -42,7 +41,7 @@ def test_every_command_of_the_smoke_test_is_one_of_the_program(
     smoke: ModuleType, tmp_path: Path
 ) -> None:
     for step in smoke.steps(tmp_path, "640x360"):
-        parse(step.words, COMMANDS)
+        parse(step.words)
     found = [find_view(name) for name in smoke.STILLS]
     assert len({view.name for _, view in found}) == 12
     assert {scene.name for scene, _ in found} == {"island", "hall", "voxel"}

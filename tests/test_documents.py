@@ -11,13 +11,12 @@ from commands import Shell
 from register import ROOT, STATES, Row, distinct_commands, quick, rows
 
 from framelens.base.errors import InputError
-from landscape.cli import COMMANDS
-from landscape.commands.common import parse
+from landscape.cli import parse
+from landscape.commands import flyover as flyover_command
 from landscape.commands.settings_list import rows as settings_rows
 from landscape.course import ladder
 from landscape.course.exercise import NAMES as EXERCISES
 from landscape.course.pages import by_cell, cells, has_words
-from landscape.flyover.app import command as flyover_command
 from landscape.flyover.environment import NAMES as ENVIRONMENTS
 from landscape.gallery.panels import named_panels
 from landscape.scene.scene import SCENES, find_view, scene
@@ -144,7 +143,7 @@ def test_a_command_parses_and_names_only_what_exists(row: Row) -> None:
         assert row.command == "-", f"expected one `landscape ...` or -, not {row.command}"
         return
     assert row.command.startswith("`landscape ")
-    check_names(parse(row.words, COMMANDS), row.words[0])
+    check_names(parse(row.words), row.words[0])
 
 
 def test_a_wrong_name_in_a_command_is_found() -> None:
@@ -160,7 +159,7 @@ def test_a_wrong_name_in_a_command_is_found() -> None:
     for command in wrong:
         words = command.split()
         with pytest.raises((InputError, AssertionError)):
-            check_names(parse(words, COMMANDS), words[0])
+            check_names(parse(words), words[0])
 
 
 @pytest.fixture(scope="module")
@@ -174,7 +173,7 @@ def process() -> Iterator[Shell]:
 @pytest.mark.parametrize("command", distinct_commands())
 def test_a_command_runs(command: str, process: Shell, tmp_path: Path) -> None:
     words = shlex.split(command)
-    options: Any = parse(words, COMMANDS)
+    options: Any = parse(words)
     process.cwd = tmp_path
     if words[:2] == ["exercise", "check"]:
         assert process("exercise", "start", Path(words[2]).stem, "--out", words[2]).status == 0

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from landscape.commands.exercise import as_json, as_text
+from landscape.commands.exercise_check import as_json, as_text
 from landscape.course.exercise import HOLE, NAMES, Grader, Report, exercise, start
 from landscape.course.grader.grading import UNLIKE, Hint
 from landscape.course.grader.mutants import mutants

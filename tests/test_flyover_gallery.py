@@ -10,9 +10,8 @@ from PIL import Image
 
 from framelens.base.errors import InputError
 from framelens.base.texts import LANGUAGES
-from landscape.cli import COMMANDS, main
-from landscape.commands.common import build_parser
-from landscape.flyover.app.command import settings_of
+from landscape.cli import build_parser, main
+from landscape.commands.flyover import settings_of
 from landscape.flyover.settings import PRESETS, Settings
 from landscape.gallery.figures import gallery
 from landscape.gallery.flyover_captions import PAIRS, STEPS, VIEWS
@@ -61,7 +60,7 @@ def test_the_page_in_french_has_the_commands_of_the_english_one_and_none_of_its_
 
 def test_each_command_asks_for_the_picture_above_it() -> None:
     for shot, panel in zip(SHOTS, panels(), strict=True):
-        options = build_parser(COMMANDS).parse_args(shlex.split(panel.command)[1:])
+        options = build_parser().parse_args(shlex.split(panel.command)[1:])
         values = with_settings(preset(Settings(), PRESETS, shot.preset), shot.settings)
         assert settings_of(options) == values, shot.name
         assert (options.file, options.at) == (shot.environment, shot.at)

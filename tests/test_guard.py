@@ -204,13 +204,13 @@ DEFECT = """
 import sys
 from landscape.cli import main
 from framelens.system import limits
-from framelens.commands import frame_commands
+from framelens.commands import trace
 
-def defect(target, options):
+def defect(target, options, other=None):
     return 1 // len("")
 
 limits.FORKS = limits.FORKS and sys.argv[1] == "copied"
-frame_commands.RUN["trace"] = defect
+trace.show = defect
 sys.argv[1:] = sys.argv[2:]
 sys.exit(main())
 """

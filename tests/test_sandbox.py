@@ -11,7 +11,7 @@ import pytest
 
 from framelens.base.errors import UnexpectedError
 from framelens.system import limits
-from landscape.commands.exercise import as_json
+from landscape.commands.exercise_check import as_json
 from landscape.course.exercise import Grader, exercise
 from landscape.course.grader import sandbox
 from landscape.course.grader.sandbox import Job, Sandbox

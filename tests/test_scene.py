@@ -219,7 +219,14 @@ def test_a_pose_without_height_stands_at_eye_height() -> None:
 
 
 PACKAGE = TESTS.parent / "landscape"
-GENERIC = ("offscreen.py", "cli.py", "commands/common.py", "scene/*.py", "walk/*.py")
+GENERIC = (
+    "offscreen.py",
+    "cli.py",
+    "commands/common.py",
+    "commands/walk.py",
+    "scene/*.py",
+    "walk/*.py",
+)
 GENERIC += ("bench/bench.py", "commands/target.py", "commands/render_many.py", "bench/timing.py")
 GENERIC += ("../tests/stage.py",)
 

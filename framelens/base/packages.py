@@ -5,17 +5,32 @@ from the package on, texts are translated by its catalogues, too, and lines for 
 its name.
 """
 
+from __future__ import annotations
+
 import os
-from pathlib import Path
-from typing import NamedTuple
+
+# Every program that imports a package imports this: pathlib and typing would take half of the time.
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
-class Package(NamedTuple):
+class Package:
     """A package: its name, its folder, and the rooms whose callers a trace shows in their place."""
 
-    name: str
-    folder: Path
-    unseen: tuple[str, ...] = ()
+    def __init__(
+        self, name: str, folder: str | os.PathLike[str], unseen: tuple[str, ...] = ()
+    ) -> None:
+        self.name = name
+        self.unseen = unseen
+        self._root = os.fspath(folder)
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the package."""
+        from pathlib import Path
+
+        return Path(self._root)
 
     @property
     def locale(self) -> Path:
@@ -27,7 +42,7 @@ class Package(NamedTuple):
 
         None if the file is not of the package; "" if it is of a room that is not shown.
         """
-        root = f"{self.folder}{os.sep}"
+        root = f"{self._root}{os.sep}"
         if not path.startswith(root):
             return None
         inside = path[len(root) :].replace(os.sep, "/")
@@ -35,15 +50,16 @@ class Package(NamedTuple):
         return "" if hidden else f"{self.name}/{inside}"
 
 
-FRAMELENS = Package("framelens", Path(__file__).resolve().parents[1], ("gl",))
+FRAMELENS = Package(
+    "framelens", os.path.dirname(os.path.dirname(os.path.realpath(__file__))), unseen=("gl",)
+)
 PACKAGES = [FRAMELENS]
 
 
-def add(name: str, folder: Path, unseen: tuple[str, ...] = ()) -> None:
-    """Add a package, unless it is there."""
-    package = Package(name, folder, unseen)
-    if package not in PACKAGES:
-        PACKAGES.append(package)
+def add(name: str, file: str, unseen: tuple[str, ...] = ()) -> None:
+    """Add a package, whose __init__ is this file, unless it is there."""
+    if name not in [package.name for package in PACKAGES]:
+        PACKAGES.append(Package(name, os.path.dirname(os.path.realpath(file)), unseen))
 
 
 def speaker() -> str:

@@ -39,6 +39,11 @@ class Translator(Protocol):
         """Return the translation for a context (msgctxt), else that for any, else the text."""
 
 
+def marked(text: str, context: str = "") -> str:
+    """Return a text as it is: imported as ``_``, it marks a text that is translated elsewhere."""
+    return text
+
+
 def choose(environment: Mapping[str, str]) -> str:
     """Return the first of LANGUAGES that the environment asks for, else "en".
 

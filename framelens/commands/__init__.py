@@ -1,1 +1,1 @@
-"""The commands that look into a frame: trace, pixel, state, strip, why, inspect."""
+"""The commands that look into a frame: a module each, with EXAMPLE, add_arguments and run."""

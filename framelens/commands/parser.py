@@ -1,14 +1,29 @@
-"""The parser of the command line, and the options that many commands share."""
+"""The parser of a command line, its commands, and the options that many commands share."""
 
 import argparse
 import re
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
+from importlib import import_module
+from typing import Any, Protocol
 
 from framelens.base import arguments
 from framelens.base.errors import InputError
-from framelens.base.texts import LANGUAGES
+from framelens.base.texts import LANGUAGES, Translator, marked
 from framelens.commands import option_values
+
+
+class Command(Protocol):
+    """What the module of a command has."""
+
+    EXAMPLE: str
+    """The words that follow the command's name in the example of its help."""
+
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        """Add the command's arguments and options."""
+
+    def run(self, options: argparse.Namespace) -> int:
+        """Do what the options say; return the exit status."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -22,6 +37,82 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> Any:
         """Report the error in one line, as for all bad input."""
         raise InputError(f"{message} (see `{self.prog} --help`)")
+
+
+class HelpFormatter(argparse.HelpFormatter):
+    """Writes a help with each of its texts translated."""
+
+    def __init__(self, translate: Translator, **options: Any) -> None:
+        super().__init__(**options)
+        self._translate = translate
+
+    def add_usage(self, usage: Any, actions: Any, groups: Any, prefix: str | None = None) -> None:
+        prefix = self._translate("usage: ") if prefix is None else prefix
+        super().add_usage(usage, actions, groups, prefix)
+
+    def start_section(self, heading: str | None) -> None:
+        super().start_section(heading and self._translate(heading))
+
+    def add_text(self, text: str | None) -> None:
+        super().add_text(text and self._translate(text))
+
+    def _get_help_string(self, action: argparse.Action) -> str | None:
+        return action.help and self._translate(action.help)
+
+
+def add_commands(
+    parser: argparse.ArgumentParser,
+    commands: Mapping[str, str],
+    package: str,
+    asked: Sequence[str] | None = None,
+    translate: Translator = marked,
+) -> None:
+    """Add commands, by name with what they do, to the parser of a program.
+
+    A command's module, a :class:`Command`, lies in a package under the command's name. A name of
+    two words is an action of the command of its first word, whose module has only an EXAMPLE.
+    ``asked`` are the first words of a command line: where they begin with a command, only its
+    module is imported; else the commands are listed, and none is.
+    """
+    parser.set_defaults(run=print_help(parser))
+    below = {"": parser.add_subparsers(metavar="COMMAND", parser_class=Parser)}
+    if asked is None:
+        chosen = list(commands)
+    else:
+        chosen = [name for name in commands if name.split()[:1] == list(asked[:1])]
+
+    for name in chosen or commands:
+        group, _space, word = name.rpartition(" ")
+        if not chosen:
+            if not group:
+                below[""].add_parser(word, help=commands[name])
+            continue
+        module: Any = import_module(f"{package}.{name.replace(' ', '_').replace('-', '_')}")
+        example = f"{parser.prog} {name} {module.EXAMPLE}".rstrip()
+        sub = below[group].add_parser(
+            word,
+            help=commands[name],
+            description=getattr(module, "DESCRIPTION", commands[name]),
+            epilog=f"{translate('example: ')}{example}",
+            formatter_class=partial(HelpFormatter, translate),
+        )
+        if hasattr(module, "run"):
+            module.add_arguments(sub)
+            sub.set_defaults(run=module.run)
+        else:
+            below[name] = sub.add_subparsers(metavar="ACTION", parser_class=Parser)
+            sub.set_defaults(run=print_help(sub))
+
+
+def parted(words: list[str], programs: Collection[str]) -> tuple[list[str], list[str]]:
+    """Part a command line, in words, from what its program gets: what follows `--`.
+
+    ``programs`` are the commands that run a program.
+    """
+    if not words or words[0] not in programs or "--" not in words:
+        return words, []
+    at = words.index("--")
+    return words[:at], words[at + 1 :]
 
 
 def print_help(parser: argparse.ArgumentParser) -> Callable[[argparse.Namespace], int]:

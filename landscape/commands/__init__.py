@@ -1,1 +1,1 @@
-"""The commands of the command line, a module each, and the options that they share."""
+"""The commands: a module each, with EXAMPLE, add_arguments and run; and what they share."""

@@ -3,6 +3,7 @@
 import argparse
 import json
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from framelens.base.errors import InputError
@@ -10,9 +11,26 @@ from framelens.base.output import check_writable, write_whole
 from framelens.base.progress import Progress
 from landscape.bench import bench
 from landscape.commands.changes import given_changes, offscreen_options, tell_of_no_effect
+from landscape.commands.common import drawing_options, size_option
 from landscape.scene.scene import find_view, scene
 
+EXAMPLE = "fig35a --json out.json"
 STILL_SIZE = (800, 600)  # chosen: pixels of a frame that is timed by itself
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument(
+        "views", nargs="*", metavar="VIEW", help="views or fixes; default: the nine of figure 35"
+    )
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the results as JSON")
+    parser.add_argument(
+        "--moving",
+        action="store_true",
+        help="walk from each view: frames a second, and how far they are from stills",
+    )
+    size_option(parser, STILL_SIZE, "size of the frames; with --moving 1280x720", fixed=False)
+    drawing_options(parser, samples=0)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -52,7 +70,7 @@ def _moving(
 ) -> tuple[dict[str, Any], str]:
     """Return what walks from the views show, and a table of it."""
     from landscape.bench import moving as bench_moving
-    from landscape.commands.walk import SIZE
+    from landscape.walk.session import SIZE
 
     if options.samples:
         raise InputError("--samples: not with --moving, as a walk has one sample per pixel")

@@ -1,5 +1,6 @@
 """Which OpenGL backends work here. PyOpenGL binds to one, so each is tried in its own process."""
 
+import argparse
 import json
 import platform
 import subprocess
@@ -8,9 +9,11 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from framelens.base.installation import conflict, distributed
+from framelens.commands.common import json_option
 from framelens.gl.context import BACKENDS
 from landscape.files import cache
 
+EXAMPLE = "--json"
 PACKAGES = (
     distributed(),
     "PyOpenGL",
@@ -47,6 +50,18 @@ except NoOpenGLError as error:
 except Exception as error:
     print(json.dumps({"ok": False, "reason": located(error)}))
 """
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    json_option(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Examine, and report; return the exit status: 3 if no backend works."""
+    findings = examine()
+    print(json.dumps(findings, indent=1) if options.json else report(findings))
+    return 0 if findings["chosen"] else 3
 
 
 def examine() -> dict[str, Any]:

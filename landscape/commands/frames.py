@@ -1,11 +1,12 @@
-"""The commands that look into a frame, of a view or of a program: trace, pixel, state and so on."""
+"""What the commands that look into a frame share: whether it is that of a view or of a program."""
 
 import argparse
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
 from framelens.base.errors import InputError, short
-from framelens.commands import frame_commands
+from framelens.commands.common import Show, program_frame, settle_language
 from framelens.commands.reporting import notify, on_program
 from framelens.program.program_frame import ProgramFrame
 from landscape.commands.changes import given_changes
@@ -15,29 +16,21 @@ from landscape.scene.scene import find_view
 Look = ViewFrame | ProgramFrame
 
 
-def look(name: str, options: argparse.Namespace) -> int:
-    """Run the command of this name on the target that the options give."""
-    frame_commands.settle_language(options)
-    target = _target(options)
-    other = _other(options) if name == "trace" else None
+def look(show: Show, options: argparse.Namespace) -> int:
+    """Show the target that the options name; return the exit status."""
+    frame = target(options)
+    return on_targets((frame,), partial(show, frame, options), options)
 
-    work = partial(frame_commands.RUN[name], target, options)
-    if other is not None:
-        work = partial(frame_commands.trace, target, options, other)
-    programs = [each.name for each in (target, other) if each is not None and each.is_program]
+
+def on_targets(frames: Sequence[Look], work: Callable[[], int], options: argparse.Namespace) -> int:
+    """Do the work on frames; where one is a program's, in a process of its own."""
+    programs = [frame.name for frame in frames if frame.is_program]
     return on_program(" and ".join(dict.fromkeys(programs)), work, options) if programs else work()
 
 
-def inspect(options: argparse.Namespace) -> int:
-    """Open the inspector over a program's window."""
-    if not options.target.endswith(".py"):
-        walk = "in `landscape walk`, I opens the inspector"
-        raise InputError(f"{short(options.target)}: expected the path of a .py program; {walk}")
-    return frame_commands.inspect(options)
-
-
-def _target(options: argparse.Namespace) -> Look:
+def target(options: argparse.Namespace) -> Look:
     """Return the frame that the options of a command name."""
+    settle_language(options)
     if not options.target.endswith(".py"):
         return _view(options, given_changes(options, find_view(options.target)[0]))
     _refuse(
@@ -55,7 +48,7 @@ def _target(options: argparse.Namespace) -> Look:
             f"--size: it is for views; the window of the program {short(options.target)} has the "
             "size that the program gives it"
         )
-    return frame_commands.program_frame(options)
+    return program_frame(options)
 
 
 def _view(options: argparse.Namespace, changes: dict[str, Any]) -> ViewFrame:
@@ -82,18 +75,6 @@ def _view(options: argparse.Namespace, changes: dict[str, Any]) -> ViewFrame:
         edits=options.edits,
         tell=partial(notify, options),
     )
-
-
-def _other(options: argparse.Namespace) -> Look | None:
-    """Return the frame that a trace is compared with; None without an option that names one."""
-    if not (options.diff or options.diff_set or options.diff_preset or options.diff_edits):
-        return None
-    changed = argparse.Namespace(**vars(options))
-    changed.target = options.diff or options.target
-    changed.preset = options.diff_preset or options.preset
-    changed.edits = options.diff_edits or options.edits
-    changed.changes = [*options.changes, *options.diff_set]
-    return _target(changed)
 
 
 def _refuse(why: str, options: dict[str, Any]) -> None:

@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError, NoOpenGLError, short
 from framelens.base.texts import choose
+from framelens.base.texts import marked as _
+from framelens.commands import option_values
+from framelens.commands.parser import language_option
 from framelens.gl import display
 from landscape.commands.lesson import speaking
 from landscape.course.language import told_in
@@ -16,6 +19,36 @@ from landscape.course.lecture.plan import COURSE, VIEW, Lecture, course, read
 
 if TYPE_CHECKING:
     from landscape.course.lecture.stage import Stage
+
+
+EXAMPLE = "a.txt"
+LECTURE = _(
+    "a text file, see docs/lecture.md, or first_course, see docs/course.md; "
+    "default: the whole course"
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("file", nargs="?", type=Path, metavar="FILE", help=LECTURE)
+    parser.add_argument(
+        "--from", dest="begin", default="", metavar="NAME", help=_("begin at this step, or number")
+    )
+    parser.add_argument("--list", action="store_true", help=_("only print the steps"))
+    parser.add_argument(
+        "--size",
+        type=option_values.size,
+        metavar="WxH",
+        help=_("in a window of this size, not on the whole screen"),
+    )
+    parser.add_argument(
+        "--screen",
+        type=option_values.count,
+        default=1,
+        metavar="N",
+        help=_("which screen, if there are several; default: 1, the primary one"),
+    )
+    language_option(parser, "language of the texts")
 
 
 def run(options: argparse.Namespace) -> int:

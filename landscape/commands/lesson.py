@@ -13,6 +13,8 @@ from pathlib import Path
 from framelens.base.errors import InputError, NoOpenGLError
 from framelens.base.output import check_output_folder, check_writable, save_png, write_all
 from framelens.base.texts import LANGUAGES, Phrases, choose, translator
+from framelens.base.texts import marked as _
+from framelens.commands.parser import backend_option, language_option
 from framelens.gl import display
 from landscape.course import program_texts
 from landscape.course.grader.picture import pictures
@@ -29,6 +31,11 @@ from landscape.course.ladder import (
 from landscape.course.language import told_in, translated
 from landscape.course.pages import wrapped
 
+EXAMPLE = "matrix_stack"
+LESSON = _("a lesson; without one, the lessons are listed")
+COPY = _(
+    "copy it, with what it reads and its plain programs, into a folder; default: the current one"
+)
 HEADING: Phrases = ("{topic}:",)
 ADVICE: Phrases = (
     "The tools draw frame 0 of a copied lesson, unless told otherwise; its picture is of the frame "
@@ -36,6 +43,20 @@ ADVICE: Phrases = (
 )
 WIDTH = 96  # chosen: columns of a docstring, at most
 PACKAGES = LESSONS.parents[2]  # the folder in which Python finds the package
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("name", nargs="?", default="", metavar="NAME", help=LESSON)
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument(
+        "--out", type=Path, metavar="FILE.png", help=_("draw it to a file, without a screen")
+    )
+    what.add_argument("--copy", type=Path, nargs="?", const=Path(), metavar="DIR", help=COPY)
+    what.add_argument("--inspect", action="store_true", help=_("run it under the inspector (F12)"))
+    what.add_argument("--json", action="store_true", help=_("print what is known of it as JSON"))
+    language_option(parser, "language of the texts")
+    backend_option(parser)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -1,14 +1,25 @@
 """`landscape places`: where the island's trees, deer and plants stand, saved to a file."""
 
 import argparse
+from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.output import check_writable, write_whole
 from landscape.commands.changes import given_changes, offscreen_options
+from landscape.commands.common import drawing_options
 from landscape.elements.places_file import as_csv
 from landscape.island.island import SPRITES, Island
 from landscape.offscreen import Offscreen
 from landscape.scene.scene import scene
+
+EXAMPLE = "mine.csv --preset 2006"
+PLACES = "the file to write, which the setting transparent.places reads"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("file", type=Path, metavar="FILE.csv", help=PLACES)
+    drawing_options(parser, samples=0, preset="best or 2006; default: best")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -1,137 +1,119 @@
-"""The command `landscape walk`: from its options to a plan, a recording and a window."""
+"""`landscape walk`: a scene in a window."""
 
-import os
-import sys
-from collections.abc import Iterable, Mapping
-from dataclasses import replace
+import argparse
+from dataclasses import astuple, replace
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError
-from framelens.base.texts import choose
-from framelens.gl.contexts.glfw import HEADLESS
-from framelens.tape.edit_files import read as read_edits
-from landscape.files.assets import Assets, recording
-from landscape.flyover.environment import open_environment
-from landscape.scene.scene import SEED, Scene, View, scene
-from landscape.settings import declare
-from landscape.walk import words
-from landscape.walk.app import Walk
-from landscape.walk.builder import WorldFile
-from landscape.walk.course import Course
-from landscape.walk.loop import run
+from framelens.commands import option_values
+from framelens.commands.common import edits_option
+from framelens.commands.parser import language_option
+from framelens.commands.reporting import notify
+from landscape.commands.changes import given_changes
+from landscape.commands.common import KT, WORLD, drawing_options, kt_option, pose_option
+from landscape.files.assets import Assets
+from landscape.scene.scene import find_view, scene
 from landscape.walk.pace import FPS
-from landscape.walk.recording import Plan, Writer, read
 
-SIZE = (1280, 720)  # chosen: window coordinates
-
-
-def walk(
-    kind: Scene,
-    begin: View,
-    settings: Any,
-    assets: Assets,
-    size: tuple[int, int] | None = None,
-    fullscreen: bool = False,
-    record: Path | None = None,
-    replay: Path | None = None,
-    frames: int | None = None,
-    backend: str = "auto",
-    only: Iterable[str] | None = None,
-    seed: int = SEED,
-    wireframe: bool = False,
-    given: Mapping[str, Any] | None = None,
-    quiet: bool = False,
-    language: str = "",
-    fps: float = FPS,
-    edits: Path | None = None,
-    world: Path | None = None,
-    path: str | None = None,
-) -> int:
-    """Walk a scene in a window until the user leaves; return the exit status.
-
-    From the view ``begin`` come the pose, kt, the wireframe and, without ``only``, the elements.
-    :meth:`Scene.as_walked` makes one of a named view. A replay takes everything except ``assets``,
-    ``backend``, ``fullscreen`` and ``frames`` from its file, and its sizes too unless ``size`` is
-    given. Without ``size`` a live walk has SIZE, enlarged on a display of high resolution. It draws
-    less detail where that keeps ``fps`` frames per second; 0 draws everything, as a replay does.
-    ``language`` is "en" or "fr"; without it the environment chooses, or a replay its file.
-    ``edits`` is a file of edits to OpenGL calls, ``world`` one of changed blocks, which a replay
-    only reads; a recording does not contain what is in them. ``path`` is an SVG file, or the name
-    of an environment of the fly-over, along whose path the walk begins; it cannot be recorded.
-    ``given`` are the settings among ``settings`` that the user has set: they go with him through
-    doors.
-    Raises InputError and NoOpenGLError.
-    """
-    if backend == "cgl":
-        raise InputError("--backend cgl: it opens no window; expected auto, glfw or software")
-    if backend in HEADLESS and frames is None and replay is None:
-        raise InputError(f"--backend {backend}: no window to leave by; expected --frames as well")
-    if path is not None and (record is not None or replay is not None):
-        raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
-    environment = open_environment(path) if path is not None else None
-    for line in environment.notices if environment and not quiet else ():
-        print(f"landscape: {line}", file=sys.stderr)
-    ticks = None
-    if replay is not None:
-        plan, recorded = read(recording(replay))
-        plan = replace(plan, language=language or plan.language)
-        if size is not None:
-            plan = replace(plan, size=size)
-            recorded = [replace(tick, size=size) for tick in recorded]
-        ticks = iter(recorded)
-    else:
-        plan = Plan(
-            scene=kind.name,
-            settings=settings,
-            view=begin.name,
-            pose=begin.pose,
-            size=size or SIZE,
-            kt=begin.kt,
-            seed=seed,
-            only=kind.shown(begin, only) if only is None else kind.only(only),
-            wireframe=wireframe or begin.wireframe,
-            language=language or choose(os.environ),
-            preset=kind.preset_of(begin),
-            given=_checked(settings, given or {}),
-        )
-
-    changes = read_edits(edits) if edits is not None else []
-    kept_world = None
-    if world is not None:
-        if not scene(plan.scene).blocks:
-            raise InputError(f"world {world}: expected a view of a scene of blocks, such as voxel")
-        kept_world = WorldFile(world, keep=ticks is None)
-
-    writer = Writer(record, plan) if record is not None else None
-    try:
-        kept_rate = fps if ticks is None else 0.0
-        enlarged = size is None and replay is None
-        options = backend, fullscreen, kept_rate, enlarged, changes
-        with Walk(plan, assets, *options, world=kept_world) as opened:
-            course = None
-            if environment is not None:
-                course = Course(environment, opened.place.scene, settings, plan.language)
-            run(opened, ticks, writer, frames, course)
-        if opened.resizer.refused and not quiet:
-            wanted, got = ("{}x{}".format(*size) for size in opened.resizer.refused)
-            told = words.text(plan.language, "resized", wanted=wanted, given=got)
-            print("landscape:", told, file=sys.stderr)
-        if not quiet:
-            for line in opened.inspection.missed():
-                print(f"landscape: {line}", file=sys.stderr)
-    finally:
-        # After Ctrl-C or an error, the recording up to then shows what led to it.
-        kept = writer is not None and writer.finish()
-
-    if kept and not quiet:
-        print(record)
-        if changes:
-            print("landscape:", words.text(plan.language, "inspector.record"), file=sys.stderr)
-
-    return 0
+EXAMPLE = "fig35a --fullscreen"
+BEGIN = (
+    "where the walk begins: a view, a fix such as R12, or a scene; default: fig35e. A view of one "
+    "technique, flaw or fix is walked as it is drawn, with its preset, settings, elements and "
+    "wireframe"
+)
+ALONG = (
+    "begin with a flight along the path drawn in this file (docs/environments.md); or along that "
+    "of island, alps or canyon"
+)
+REPLAY = "replay a recorded walk; `tour` is the one that comes with the program"
+# The options that are arguments of the walk.
+PASSED_ON = (
+    "size",
+    "fullscreen",
+    "record",
+    "replay",
+    "frames",
+    "fps",
+    "backend",
+    "only",
+    "seed",
+    "wireframe",
+    "quiet",
+    "edits",
+    "world",
+    "path",
+)
 
 
-def _checked(settings: Any, given: Mapping[str, Any]) -> dict[str, declare.Value]:
-    """Return the values that the keys which were given have in settings, under their names now."""
-    return {key: declare.get(settings, key) for key in declare.current_names(settings, given)[0]}
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
+    pose_option(parser)
+    kt_option(parser, f"at the beginning: {KT}")
+    parser.add_argument(
+        "--size",
+        type=option_values.size,
+        metavar="WxH",
+        help="default: 1280x720, larger on a fine display; in a replay the recorded sizes",
+    )
+    parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
+    language_option(parser, "language of the window")
+    edits_option(parser)
+    parser.add_argument("--world", type=Path, metavar="FILE", help=f"{WORLD}, loaded and saved")
+    parser.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
+    parser.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
+    parser.add_argument("--path", metavar="FILE.svg", help=ALONG)
+    parser.add_argument(
+        "--fps",
+        type=option_values.rate,
+        default=FPS,
+        metavar="N",
+        help="frames per second to keep, by drawing less detail if need be; 0: draw all of it; "
+        "default: %(default)g",
+    )
+    parser.add_argument(
+        "--frames",
+        type=option_values.count,
+        metavar="N",
+        help="end after N frames; default: when the window is closed",
+    )
+    drawing_options(
+        parser,
+        samples=0,
+        preset="best or 2006; default: the view's own. With another one, the walk takes only the "
+        "place from the view",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Walk until the user leaves; return the exit status."""
+    from landscape.walk.recording import MAX_NUMBER
+    from landscape.walk.session import walk
+
+    kind, named = find_view(options.view or scene().start)
+    begin = kind.as_walked(named, options.preset)
+    if options.pose is not None:
+        if options.path is not None:
+            raise InputError("--pose: a walk along --path begins there; expected one of the two")
+        if any(number and abs(number) > MAX_NUMBER for number in astuple(options.pose)):
+            raise InputError(f"--pose: expected numbers up to {MAX_NUMBER:g}")
+        begin = replace(begin, pose=options.pose)
+    if options.kt is not None:
+        begin = replace(begin, kt=options.kt)
+
+    changes = given_changes(options, kind)
+    if options.replay is None:
+        only = kind.shown(begin) if options.only is None else options.only
+        standing = replace(begin, shown=())
+        notices = kind.notices(standing, options.preset, changes, only, walking=True)
+        notify(options, list(notices.values()))
+
+    return walk(
+        kind,
+        begin,
+        settings=kind.values(kind.preset_of(begin), begin.settings, changes),
+        assets=Assets(options.assets),
+        language=options.lang,
+        given=changes,
+        **{name: getattr(options, name) for name in PASSED_ON},
+    )

@@ -215,6 +215,7 @@ COURSE = (
     "landscape/course/*.py",
     "landscape/course/grader/*.py",
     "landscape/course/lecture/*.py",
+    "landscape/cli.py",
     "landscape/commands/*.py",
 )
 

@@ -17,7 +17,7 @@ from PIL import Image
 from values import FIELDS, value
 
 import landscape
-from landscape.commands.doctor import BACKENDS
+from framelens.gl.context import BACKENDS
 from landscape.walk.recording import ACTIONS
 
 

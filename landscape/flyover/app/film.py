@@ -10,7 +10,7 @@ from landscape.film.cut import Film, Part
 from landscape.film.encode import check
 from landscape.film.making import finished, write
 from landscape.film.stage import Drawing
-from landscape.flyover.app.options import SIZE
+from landscape.flyover.app import SIZE
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
 from landscape.scene.scene import SEED

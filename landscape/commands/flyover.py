@@ -3,33 +3,99 @@
 import argparse
 import json
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.output import check_writable, output_paths, save_png, write_whole
 from framelens.base.progress import Progress
+from framelens.commands import option_values
+from framelens.commands.common import quiet_option
+from framelens.commands.parser import language_option
+from landscape import __version__
+from landscape.commands.common import settings_options
 from landscape.flyover import crew, exchange
+from landscape.flyover.app import SIZE
 from landscape.flyover.app import ranking as flyover_ranking
-from landscape.flyover.app.options import EXPORT, SIZE
 from landscape.flyover.crew import Crew
-from landscape.flyover.environment import Environment, export_island, open_environment
-from landscape.flyover.settings import PRESETS, Settings, check
+from landscape.flyover.environment import (
+    ISLAND,
+    NAMES,
+    Environment,
+    export_island,
+    open_environment,
+)
+from landscape.flyover.settings import BEST, MOST_PROCESSES, PRESETS, Settings, check
 from landscape.settings.declare import preset, read_toml, with_settings
 
 FASTEST = 1000.0  # frames per second, chosen
 MOST_FRAMES = 100_000  # chosen: almost an hour at 30 frames per second
 FILMS = (".mp4", ".webm", ".gif")
 SEVERAL = 8  # pictures, chosen: fewer are drawn before another process is ready
-Shown = Callable[[Environment, Settings, argparse.Namespace], int]
+
+EXAMPLE = "alps --set flyover.mode=filled"
+EXPORT = "export"
+FILE = (
+    "an environment drawn in Inkscape, FILE.svg, a folder that --export wrote, or one that comes "
+    f"with the program: {', '.join(NAMES)}; default: {ISLAND}. `{EXPORT} FILE.svg` writes the "
+    "island as an environment, to be changed in Inkscape"
+)
+OUT = (
+    "draw it without a screen: a folder for one PNG per frame, FILE.png for a single frame, or a "
+    "film, FILE.mp4, .webm or .gif"
+)
+FRAMES = (
+    "how many frames; default: of a flight that is drawn to files, all from --at on; of --bench "
+    "12; in the window, until it is closed"
+)
+FPS = "frames per second of flight; default: %(default)g"
+FOLDER = (
+    "write the environment as plain files for other programs into a folder, heights.bmp, "
+    "heights.png, path.json and flight.csv, which is read again in the place of FILE.svg"
+)
+PROFILE = "fly along the path and print in which functions the time goes"
+RANK = "print results of --bench --json ranked by frames a second, for each environment"
+BENCH = "fly the path without each technique, with each alone and with all; print how long it took"
+JOBS = (
+    "processes that draw, each on a core of its own; default: one for each core, up to "
+    f"{MOST_PROCESSES}; the picture is the same"
+)
+AT = "seconds of the flight at which it begins; default: %(default)g"
+PRESET = "best, or document: black lines on white as the project asks for; default: best"
 
 
-def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) -> int:
-    """Do what the command line asks; return the exit status. Raises InputError.
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("file", nargs="?", default=ISLAND, metavar="FILE.svg|NAME", help=FILE)
+    parser.add_argument("export", nargs="?", default="", help=argparse.SUPPRESS)
+    parser.add_argument(
+        "--size", type=option_values.size, metavar="WxH", help=f"default: {SIZE[0]}x{SIZE[1]}"
+    )
+    parser.add_argument("--frames", type=option_values.count, metavar="N", help=FRAMES)
+    parser.add_argument("--fps", type=option_values.number, default=30.0, metavar="N", help=FPS)
+    parser.add_argument("--at", type=option_values.number, default=0.0, metavar="SECONDS", help=AT)
+    parser.add_argument("--out", type=Path, metavar="DIR|FILE", help=OUT)
+    parser.add_argument("--jobs", type=option_values.jobs, metavar="N", help=JOBS)
+    parser.add_argument("--bench", action="store_true", help=BENCH)
+    parser.add_argument(
+        "--json", type=Path, metavar="FILE", help="with --bench: write the results as JSON"
+    )
+    parser.add_argument("--profile", action="store_true", help=PROFILE)
+    parser.add_argument("--rank", type=Path, nargs="+", metavar="FILE.json", help=RANK)
+    parser.add_argument("--export", type=Path, dest="folder", metavar="DIR", help=FOLDER)
+    parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
+    parser.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
+    settings_options(
+        parser,
+        "[flyover] detail = false",
+        "flyover.mode=filled",
+        "landscape settings flyover",
+    )
+    language_option(parser, "language of the window")
+    quiet_option(parser, "print neither progress nor file names")
 
-    ``watch`` shows the flight in a window, ``film`` draws it to a file; ``version`` is this
-    program's, for the results of a benchmark.
-    """
+
+def run(options: argparse.Namespace) -> int:
+    """Do what the command line asks; return the exit status. Raises InputError."""
     if options.rank:
         print(flyover_ranking.ranking([flyover_ranking.read(path) for path in options.rank]))
         return 0
@@ -66,7 +132,7 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) ->
         )
 
     if options.bench:
-        return bench(environment, values, options, version)
+        return bench(environment, values, options)
     if options.profile:
         return profile(environment, values, options)
     if options.folder is not None:
@@ -76,9 +142,13 @@ def run(options: argparse.Namespace, watch: Shown, film: Shown, version: str) ->
         return 0
 
     if options.out is None:
-        return watch(environment, values, options)
+        from landscape.flyover.app import window
+
+        return window.show(environment, values, options)
     if options.out.suffix.lower() in FILMS:
-        return film(environment, values, options)
+        from landscape.flyover.app import film
+
+        return film.run(environment, values, options)
     return draw(environment, values, options)
 
 
@@ -145,9 +215,7 @@ def profile(environment: Environment, values: Settings, options: argparse.Namesp
     return 0
 
 
-def bench(
-    environment: Environment, values: Settings, options: argparse.Namespace, version: str
-) -> int:
+def bench(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
     """Measure every technique along the path; print a table, or write it as JSON, too."""
     from landscape.flyover.app import bench as flyover_bench
 
@@ -159,7 +227,7 @@ def bench(
     rows, jobs = flyover_bench.rows(values), crew.processes(options.jobs)
     with Progress(len(rows) * count, options.quiet) as progress:
         result = flyover_bench.measure(
-            environment, rows, options.size or SIZE, count, jobs, progress.step, version
+            environment, rows, options.size or SIZE, count, jobs, progress.step, __version__
         )
     if options.json is not None:
         write_whole(options.json, (json.dumps(result, indent=1) + "\n").encode())

@@ -1,0 +1,3 @@
+"""`landscape assets`: images and meshes. Its actions have modules of their own."""
+
+EXAMPLE = "fetch-stanford"

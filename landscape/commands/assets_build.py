@@ -1,0 +1,26 @@
+"""`landscape assets build`: the assets, made from code."""
+
+import argparse
+from pathlib import Path
+
+from framelens.commands.common import quiet_option
+from landscape.commands.common import QUIET
+
+EXAMPLE = "water.png --assets mine"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("names", nargs="*", metavar="NAME", help="file names; default: all")
+    parser.add_argument(
+        "--assets", type=Path, metavar="DIR", help="where to write them; default: in place"
+    )
+    quiet_option(parser, QUIET)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Make assets; return the exit status."""
+    # The studio needs an extra; the help of this command does not.
+    from landscape.studio.build import build
+
+    return build(options.names, options.assets, options.quiet)

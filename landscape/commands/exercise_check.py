@@ -1,0 +1,154 @@
+"""`landscape exercise check`: a student's program, run and graded."""
+
+import argparse
+import os
+import shutil
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from framelens.base.errors import InputError
+from framelens.base.output import check_writable, save_png
+from framelens.base.texts import Translator, choose
+from framelens.commands.parser import language_option
+from framelens.system import quoted
+from landscape.commands.exercise_list import json_text
+from landscape.course.exercise import Exercise, Grader, Report
+from landscape.course.grader.budget import MOST_SECONDS, SECONDS
+from landscape.course.grader.grading import MOST, _
+from landscape.course.grader.troubles import sentence
+from landscape.course.language import told_in
+
+EXAMPLE = "winding.py --heat-map difference.png"
+WIDTHS = 72, 100  # chosen: least and most columns of a report
+SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
+WRITTEN = _("{file}: your picture, where it differs, and the solution's")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument("file", type=Path, metavar="FILE", help=_("the program"))
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--json", action="store_true", help=_("print JSON"))
+    what.add_argument(
+        "-q", "--quiet", action="store_true", help=_("print nothing: the exit status says it")
+    )
+    parser.add_argument(
+        "--heat-map",
+        type=Path,
+        metavar="FILE.png",
+        help=_("write your picture, where it differs, and the solution's, side by side"),
+    )
+    parser.add_argument(
+        "--seconds",
+        type=_seconds,
+        default=SECONDS,
+        metavar="N",
+        help=_("how long the program may take; default: %(default)g"),
+    )
+    language_option(parser, "language of the texts")
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0.1 <= seconds <= MOST_SECONDS:
+        raise argparse.ArgumentTypeError(
+            f"{text!r}: expected a number from 0.1 to {MOST_SECONDS:g}"
+        )
+    return seconds
+
+
+def run(options: argparse.Namespace) -> int:
+    """Check a program and print what was found: 0 passed, 1 not, 2 could not be run."""
+    language = options.lang or choose(os.environ)
+    with told_in(language):
+        return _check(options, language)
+
+
+def _check(options: argparse.Namespace, language: str) -> int:
+    if options.heat_map is not None:
+        if options.heat_map.suffix.lower() != ".png":
+            raise InputError(f"--heat-map {options.heat_map}: expected a name ending in .png")
+        check_writable(options.heat_map, "--heat-map ")
+    with Grader(options.seconds) as grader:
+        report = grader.check(options.file)
+        _ = report.exercise.translate.to(language)
+        if options.heat_map is not None and report.work is not None and report.solution is not None:
+            from landscape.course.grader.heat_map import heat_map
+
+            save_png(heat_map(report.work, report.solution), options.heat_map)
+        if options.json:
+            print(json_text(as_json(report, _)))
+        elif report.error is None and not options.quiet:
+            columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
+            columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
+            print("\n".join(as_text(report, _, columns)))
+            if options.heat_map is not None:
+                print(_(WRITTEN).format(file=options.heat_map))
+            elif (report.difference or 0) > MOST:
+                print(_(SHOWN).format(file=quoted(str(options.file))))
+        if report.error is not None:
+            raise InputError(f"{options.file}: {sentence(report.error, _)}")
+        return 0 if report.passed else 1
+
+
+def as_json(report: Report, _: Translator) -> dict[str, Any]:
+    """Return a report as JSON; "passed" of a test is null if it was not made."""
+    made = {result.test.key: result for result in report.results}
+    tests = []
+    for test in report.tests:
+        result = made.get(test.key)
+        told = result.hint if result is not None else None
+        tests.append(
+            {
+                "name": _(test.name),
+                "passed": result.passed if result is not None else None,
+                "rationale": _(test.rationale),
+                "hint": told.written(_) if told is not None else "",
+            }
+        )
+
+    found: dict[str, Any] = {
+        "exercise": report.exercise.name,
+        "passed": report.passed,
+        "tests": tests,
+        "picture_difference": report.difference,
+    }
+    if report.error is not None:
+        found["error"] = sentence(report.error, _)
+    return found
+
+
+def as_text(report: Report, _: Translator, columns: int = WIDTHS[1]) -> list[str]:
+    """Return the lines of a report: one for each test, and its hint below one that failed."""
+    words = {True: _("passed"), False: _("failed"), None: _("not checked")}
+    width = max(map(len, words.values()))
+    indent = " " * (width + 2)
+    lines = [_title(report.exercise, _)]
+    for result in report.results:
+        told = [_(result.test.name)]
+        if result.hint is not None:
+            told.append(result.hint.written(_))
+        for first, text in zip((f"{words[result.passed]:{width}}  ", indent), told, strict=False):
+            lines += textwrap.wrap(
+                text,
+                columns,
+                initial_indent=first,
+                subsequent_indent=indent,
+                break_long_words=False,
+                break_on_hyphens=False,
+            )
+
+    count = sum(result.passed is True for result in report.results)
+    total = _("{passed} of {tests} tests passed")
+    if count < 2:  # a singular in French
+        total = (_("0 of {tests} tests passed"), _("1 of {tests} tests passed"))[count]
+    lines.append(total.format(passed=count, tests=len(report.results)))
+    return lines
+
+
+def _title(found: Exercise, _: Translator) -> str:
+    return _("{name}: {title}").format(name=found.name, title=_(found.title))

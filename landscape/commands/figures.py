@@ -1,0 +1,56 @@
+"""`landscape figures`: the report's figures, drawn again, compared or replaced."""
+
+import argparse
+from pathlib import Path
+
+import landscape
+from framelens.base.errors import InputError
+from landscape.commands.changes import given_changes, offscreen_options
+from landscape.commands.common import drawing_options
+from landscape.scene.scene import SCENES, scene
+
+EXAMPLE = "35 --out figures"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options of the command."""
+    parser.add_argument(
+        "names", nargs="*", metavar="FIG", help="35, fig35a, R6, hall, voxel or flyover"
+    )
+    parser.add_argument(
+        "--out", type=Path, default=Path("figures"), metavar="DIR", help="default: %(default)s"
+    )
+    parser.add_argument("--check", action="store_true", help="compare with the committed pictures")
+    parser.add_argument("--update", action="store_true", help="replace the committed pictures")
+    drawing_options(
+        parser, samples=4, preset="the figures of the report are always drawn with 2006"
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Draw the figures, compare or replace them; return the exit status."""
+    from landscape.gallery import figures
+
+    # The gallery is part of the checkout; without one, look in the current folder.
+    gallery = Path(landscape.__file__).resolve().parents[1] / "screenshots"
+    if not gallery.is_dir():
+        gallery = Path("screenshots")
+    changes = given_changes(options, *map(scene, SCENES))
+    drawing = {**offscreen_options(options), "settings": changes}
+    del drawing["preset"]
+
+    if options.update:
+        figures.update(options.names, gallery, drawing, options.quiet)
+        return 0
+    if options.check:
+        if not gallery.is_dir():
+            raise InputError(
+                "figures --check: the committed pictures are not installed with the program: "
+                "expected a checkout, or its folder screenshots in the current folder"
+            )
+        return figures.check(options.names, gallery, options.out, drawing, options.quiet)
+
+    for path in figures.make(options.names, options.out, drawing, options.quiet):
+        if not options.quiet:
+            print(path)
+    return 0
