@@ -16,7 +16,7 @@ import functools
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from framelens.base.errors import InputError, short
@@ -164,11 +164,20 @@ def _is_number(value: Any) -> bool:
 
 
 def _settled(edit: Edit, sources: Path | None) -> Edit:
-    """Return an edit that also finds its call if the line's text has changed in the file."""
-    lines = _source_lines(edit.key.file, sources)
-    if lines is None or edit.key.text in lines:
-        return edit
-    return replace(edit, key=edit.key.loose())
+    """Return an edit that also finds its call if the line's text has changed, or its file moved."""
+    key = edit.key
+    lines = _source_lines(key.file, sources)
+    if lines is not None and key.text not in lines:
+        key = key.loose()
+    key = replace(key, file=_there(key.file, sources))
+    if key.list is not None:
+        key = replace(key, list=replace(key.list, file=_there(key.list.file, sources)))
+    return replace(edit, key=key)
+
+
+def _there(file: str, sources: Path | None) -> str:
+    """Return a file's name; without its folders, where it is not in them any more."""
+    return file if _source_lines(file, sources) is not None else PurePosixPath(file).name
 
 
 @functools.cache
