@@ -3,15 +3,18 @@
 import argparse
 import json
 import platform
-import subprocess
-import sys
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
+from framelens.base.errors import NoOpenGLError, located
 from framelens.base.installation import conflict, distributed
+from framelens.base.isolated import Ended, isolated
 from framelens.commands.common import json_option
-from framelens.gl.context import BACKENDS
+from framelens.gl import context
+from framelens.gl.extensions import texture_units, widest_line
+from framelens.gl.seam import gl
 from landscape.files import cache
+from landscape.gl.features import left_out
 
 EXAMPLE = "--json"
 PACKAGES = (
@@ -30,27 +33,6 @@ PACKAGES = (
 OPTIONAL = ("PyOpenGL-accelerate",)
 SECONDS = 60  # chosen: a backend that takes longer is considered to hang
 
-_PROBE = """
-import json, sys
-from framelens.base.errors import NoOpenGLError, located
-from framelens.gl.seam import gl
-from framelens.gl.context import open_context
-from framelens.gl.extensions import texture_units, widest_line
-from landscape.gl.features import left_out
-try:
-    context = open_context(sys.argv[1])
-    names = gl.GL_RENDERER, gl.GL_VERSION
-    renderer, version = (gl.glGetString(name).decode() for name in names)
-    found = {"ok": True, "renderer": renderer, "version": version}
-    found |= {"units": texture_units(), "widest_line": widest_line(), "off": left_out()}
-    context.release()
-    print(json.dumps(found))
-except NoOpenGLError as error:
-    print(json.dumps({"ok": False, "reason": str(error)}))
-except Exception as error:
-    print(json.dumps({"ok": False, "reason": located(error)}))
-"""
-
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
@@ -66,8 +48,8 @@ def run(options: argparse.Namespace) -> int:
 
 def examine() -> dict[str, Any]:
     """Return what `landscape doctor --json` prints: backends, the one `auto` takes, versions."""
-    backends = {name: probe(name) for name in BACKENDS}
-    chosen = next((name for name in BACKENDS if backends[name]["ok"]), None)
+    backends = {name: probe(name) for name in context.BACKENDS}
+    chosen = next((name for name in context.BACKENDS if backends[name]["ok"]), None)
     packages = {}
     for name in PACKAGES:
         try:
@@ -86,16 +68,35 @@ def examine() -> dict[str, Any]:
 
 def probe(backend: str) -> dict[str, Any]:
     """Open a context in another process; return ok, with renderer and version or a reason."""
-    command = [sys.executable, "-c", _PROBE, backend]
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
-        result: dict[str, Any] = json.loads(done.stdout.strip().splitlines()[-1])
-        return result
-    except subprocess.TimeoutExpired:
-        return {"ok": False, "reason": f"no answer in {SECONDS} seconds"}
-    except (IndexError, json.JSONDecodeError):
-        last = (done.stderr.strip().splitlines() or ["no message"])[-1]
-        return {"ok": False, "reason": f"the process ended with {done.returncode}: {last}"}
+        return isolated(look_at, backend, seconds=SECONDS)
+    except Ended as ended:
+        if ended.status is None:
+            return {"ok": False, "reason": f"no answer in {SECONDS} seconds"}
+        last = ended.message or "no message"
+        return {"ok": False, "reason": f"the process ended with {ended.status}: {last}"}
+
+
+def look_at(backend: str) -> dict[str, Any]:
+    """Return what :func:`probe` does, from a context that is opened in this process."""
+    try:
+        opened = context.open_context(backend)
+        names = gl.GL_RENDERER, gl.GL_VERSION
+        renderer, number = (gl.glGetString(name).decode() for name in names)
+        state = {
+            "ok": True,
+            "renderer": renderer,
+            "version": number,
+            "units": texture_units(),
+            "widest_line": widest_line(),
+            "off": left_out(),
+        }
+        opened.release()
+        return state
+    except NoOpenGLError as error:
+        return {"ok": False, "reason": str(error)}
+    except Exception as error:
+        return {"ok": False, "reason": located(error)}
 
 
 def abilities(state: dict[str, Any]) -> list[str]:

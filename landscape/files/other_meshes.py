@@ -4,21 +4,24 @@ A small file of such a format may ask for any amount of memory or time. The proc
 either, so that its end is not the program's. No OpenGL here.
 """
 
-import os
-import subprocess
-import sys
+import logging
+import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from framelens.base.errors import InputError
 from framelens.base.input import amount
-from framelens.system import limits
+from framelens.base.isolated import Ended, isolated
 
 MOST_VERTICES = MOST_TRIANGLES = 1_000_000  # chosen: Stanford's largest dragon has 871,414
 MOST_MEGABYTES = 1024  # chosen: of memory
 MOST_SECONDS = 15  # of processor time, chosen
-MODULE = "landscape.files.mesh_process"
+
+
+class DamagedMesh(Exception):
+    """A mesh that trimesh cannot read, or that is too large: one line."""
 
 
 def read_by_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -26,27 +29,51 @@ def read_by_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
     InputError for a damaged file, and for one that takes more than it may.
     """
-    # One thread: each of the others would take memory, which is limited.
-    paths = {"PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"}
-    numbers = (MOST_MEGABYTES, MOST_SECONDS, MOST_VERTICES, MOST_TRIANGLES)
-    allowed = f"{path}: expected a mesh read in {MOST_SECONDS} s and {amount(MOST_MEGABYTES << 20)}"
     try:
-        done = subprocess.run(
-            [sys.executable, "-P", "-m", MODULE, str(path), *map(str, numbers)],
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            env={**os.environ, **paths},
-            timeout=4 * MOST_SECONDS,
+        return isolated(
+            read,
+            str(path),
+            MOST_VERTICES,
+            MOST_TRIANGLES,
+            seconds=4 * MOST_SECONDS,
+            worked=MOST_SECONDS,
+            megabytes=MOST_MEGABYTES,
         )
-    except subprocess.TimeoutExpired:
-        raise InputError(allowed) from None
+    except Ended as ended:
+        if ended.status is not None and ended.status > 0:
+            raise _damaged(path, ended.message or "no reason") from None
+        allowed = f"{MOST_SECONDS} s and {amount(MOST_MEGABYTES << 20)}"
+        raise InputError(f"{path}: expected a mesh read in {allowed}") from None
+    except MemoryError:
+        raise _damaged(path, f"it needs more than {MOST_MEGABYTES} MB of memory") from None
+    except DamagedMesh as error:
+        raise _damaged(path, str(error)) from None
 
-    if limits.crash(done.returncode):  # ended by the system, for its time or its memory
-        raise InputError(allowed)
-    if done.returncode > 0:
-        reason = (done.stderr.decode(errors="replace").strip().splitlines() or ["no reason"])[-1]
-        raise InputError(f"{path}: expected a whole mesh ({reason[:100]})")
-    head, _, data = done.stdout.partition(b"\n")
-    split = 12 * int(head)
-    vertices = np.frombuffer(data[:split], np.float32).reshape(-1, 3)
-    return vertices, np.frombuffer(data[split:], np.int64).reshape(-1, 3)
+
+def _damaged(path: Path, reason: str) -> InputError:
+    return InputError(f"{path}: expected a whole mesh ({reason[:100]})")
+
+
+def read(path: str, most_vertices: int, most_triangles: int) -> tuple[np.ndarray, np.ndarray]:
+    """Read a mesh by trimesh, in this process; DamagedMesh says what is wrong with it."""
+    try:
+        import trimesh
+
+        logging.disable()
+        warnings.simplefilter("ignore")
+        # Materials would open other files.
+        options: dict[str, Any] = (
+            {"skip_materials": True} if path.lower().endswith((".obj", ".glb")) else {}
+        )
+        mesh: Any = trimesh.load(path, force="mesh", process=False, **options)
+        vertices = np.ascontiguousarray(mesh.vertices, np.float32)
+        triangles = np.ascontiguousarray(mesh.faces, np.int64)
+        if len(vertices) > most_vertices or len(triangles) > most_triangles:
+            raise ValueError(f"more than {most_vertices} vertices or {most_triangles} triangles")
+    except MemoryError:
+        raise
+    except Exception as error:
+        # The parsers of trimesh raise any kind of exception: all of them mean a damaged file.
+        lines = str(error).strip().splitlines() or [type(error).__name__]
+        raise DamagedMesh(lines[0]) from None
+    return vertices, triangles
