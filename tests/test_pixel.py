@@ -129,6 +129,63 @@ def test_a_blended_fragment_shows_both_terms(tests_at_one_pixel: list[Row]) -> N
     assert last.pixel.color[:3] == (64, 32, 207)
 
 
+def four(*values: float) -> np.ndarray:
+    return np.array(values, np.float32)
+
+
+def lit_rows(stage: Stage, light: tuple[float, ...]) -> list[Row]:
+    """Return the history of a pixel of a quad that a light at ``light`` lights."""
+    with stage.borrowed():
+        size = stage.read().shape[1::-1]
+        start = state.read()
+        with recording(complete=True) as recorder:
+            gl.glViewport(0, 0, *size)
+            for matrix in (gl.GL_PROJECTION, gl.GL_MODELVIEW):
+                gl.glMatrixMode(matrix)
+                gl.glLoadIdentity()
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+            gl.glEnable(gl.GL_LIGHTING)
+            gl.glEnable(gl.GL_LIGHT0)
+            gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, four(0.1, 0.1, 0.1, 1.0))
+            gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, four(*light))
+            gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, four(0.0, 0.2, 0.0, 1.0))
+            gl.glLightf(gl.GL_LIGHT0, gl.GL_CONSTANT_ATTENUATION, 2.0)
+            gl.glMaterialfv(gl.GL_FRONT, gl.GL_AMBIENT, four(0.5, 0.5, 0.5, 1.0))
+            gl.glMaterialfv(gl.GL_FRONT, gl.GL_DIFFUSE, four(1.0, 0.5, 0.25, 1.0))
+            gl.glMaterialfv(gl.GL_FRONT, gl.GL_EMISSION, four(0.0, 0.0, 0.2, 1.0))
+            gl.glBegin(gl.GL_QUADS)
+            gl.glNormal3f(0.6, 0.0, 0.8)
+            for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                gl.glVertex3f(x, y, 0.0)
+            gl.glEnd()
+        with unnoted():
+            rows = history(Tape(recorder.calls, 0, start, size), size[0] // 2, size[1] // 2)
+            state.restore(start)
+    return rows
+
+
+def test_lighting_is_spelled_out_by_light_and_share(stage: Stage) -> None:
+    row = lit_rows(stage, (0.0, 0.0, 1.0, 0.0))[-1]
+    lighting = row.parts["lighting"]
+    assert lighting["emission"] == pytest.approx([0.0, 0.0, 0.2], abs=2e-3)
+    assert lighting["scene_ambient"] == pytest.approx([0.05] * 3, abs=2e-3)
+    (light,) = lighting["lights"]
+    assert light["n_l"] == pytest.approx(0.8, abs=2e-3)
+    assert light["ambient"] == pytest.approx([0.0, 0.1, 0.0], abs=2e-3), "no attenuation: w is 0"
+    assert light["diffuse"] == pytest.approx([0.8, 0.4, 0.2], abs=2e-3)
+    assert light["specular"] == pytest.approx([0.0] * 3, abs=2e-3)
+    assert lighting["result"] == pytest.approx([0.85, 0.55, 0.45], abs=2e-3)
+    assert "diffuse (0.800, 0.400, 0.200) by N.L 0.800 + specular" in row.arithmetic
+
+
+def test_the_arithmetic_of_lighting_says_that_a_light_is_near_or_behind(stage: Stage) -> None:
+    near = lit_rows(stage, (0.0, 0.0, 50.0, 1.0))[-1]
+    assert near.parts["lighting"]["lights"][0]["attenuation"] == pytest.approx(0.5, abs=2e-3)
+    assert "and attenuation 0.500" in near.arithmetic
+    behind = lit_rows(stage, (0.0, 0.0, -1.0, 0.0))[-1]
+    assert "by N.L 0.000, the light is behind the surface" in behind.arithmetic
+
+
 def test_a_pixel_outside_is_refused_in_one_line() -> None:
     with Offscreen(SIZE, "2006", samples=0, only=("sky",)) as offscreen:
         with offscreen.taped("fig35a") as tape:

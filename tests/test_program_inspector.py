@@ -103,6 +103,15 @@ program = compileProgram(
 glUseProgram(program)
 """
 OPENED = "glfw.make_context_current(window)\n"
+# A rectangle that is wound clockwise, and culled.
+RECTANGLE = """\
+def rectangle():
+    glEnable(GL_CULL_FACE)
+    glRectf(0.9, -0.9, -0.9, 0.9)
+
+def draw():"""
+CULLED = DRAWING.replace("glRectf(-0.9, -0.9, 0.9, 0.9)", "rectangle()")
+CULLED = CULLED.replace("def draw():", RECTANGLE)
 # With the function that draws its rectangle.
 TELLING = {
     "GLFW": DRAWING + GLFW,
@@ -112,6 +121,41 @@ TELLING = {
     + GLUT.replace("GLUT_DOUBLE", "GLUT_SINGLE").replace("glutSwapBuffers", "glFlush"),
     "pygame": DRAWING + PYGAME,
 }
+
+
+@pytest.mark.parametrize("name", ["GLFW", "GLUT", "pygame", "GLFW, closed"])
+def test_f1_asks_why_a_pixel_looks_so_and_chooses_the_call_to_blame(
+    screen: dict[str, str], tmp_path: Path, name: str
+) -> None:
+    if "GLUT" in name:
+        need_library("glut")
+    if "pygame" in name:
+        pytest.importorskip("pygame")
+    toolkit = {"GLUT": GLUT, "pygame": PYGAME}.get(name, GLFW)
+    program, log = tmp_path / "telling.py", tmp_path / "log.txt"
+    program.write_text(CULLED + toolkit)
+    words = [sys.executable, "-m", "landscape", "inspect", str(program)]
+    if name.endswith("closed"):
+        begin = "import sys; from framelens.inspector.program_inspector import inspect; "
+        words = [sys.executable, "-c", begin + "inspect(sys.argv[1], closed=True)", str(program)]
+    process = subprocess.Popen(words, env=screen, cwd=tmp_path)
+
+    try:
+        _wait_for(lambda: log.exists() and bool(log.read_text()), process, "the first frame")
+        window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^Telling")
+        xdotool(screen, "windowfocus", "--sync", window)
+        xdotool(screen, "mousemove", "--window", window, "160", "120")
+        xdotool(screen, "key", "F1")
+        time.sleep(1.0)
+        # The call to blame is chosen: Delete leaves it out.
+        xdotool(screen, "key", "Delete", "ctrl+s")
+        saved = tmp_path / "edits-0001.json"
+        _wait_for(lambda: saved.exists(), process, "the edit of the call to blame")
+    finally:
+        process.kill()
+        process.wait()
+    (edit,) = read(saved, tmp_path)
+    assert edit.skip and edit.key.name == "glEnable"
 
 
 @pytest.mark.parametrize("name", TELLING)

@@ -29,8 +29,9 @@ class Inspector:
     """What the inspector shows and what was changed in it.
 
     ``edits`` are in force. ``version`` changes with whatever can be seen. ``wants`` has "save",
-    "pixel" or "close" where that is to be done; ``pixel`` is the one asked about, x and y from the
-    top left, None for the middle of the window. ``said`` is a message, by its key in words.py.
+    "pixel", "why", "why_all" or "close" where that is to be done; ``pixel`` is the one asked about,
+    x and y from the top left, None for the middle of the window. ``said`` is a message, by its key
+    in words.py; ``answer`` are lines that say why the pixel or the picture looks as it does.
     """
 
     def __init__(self, edits: Sequence[Edit] = ()) -> None:
@@ -42,6 +43,7 @@ class Inspector:
         self.wants: set[str] = set()
         self.pixel: tuple[int, int] | None = None
         self.said: tuple[str, dict[str, str]] = ("", {})
+        self.answer: list[str] = []
         self.tree = Tree()
         self.opened: set[Identity] = set()
         self.selected: Identity = ()
@@ -154,6 +156,18 @@ class Inspector:
             self.say("" if listed else "inspector.under", element=call.element, call=call.name)
         self.version += 1
 
+    def explain(self, lines: Sequence[str], place: str) -> None:
+        """Show why a pixel or the picture looks as it does, and choose the call to blame, if any.
+
+        ``place`` is that of the call, "" where none is listed.
+        """
+        self.history = None
+        self.say()
+        if place:
+            self.go_to(place)
+        self.answer = list(lines)
+        self.version += 1
+
     def say(self, key: str = "", **values: str) -> None:
         """Show a message, "" to show none."""
         self.said = key, values
@@ -165,8 +179,9 @@ class Inspector:
         """Do what a key asks for."""
         self.version += 1
         self.said = ("", {})
+        self.answer = []
         action = getattr(self, f"_{pick}", None)
-        if pick in ("save", "pixel", "close"):
+        if pick in ("save", "pixel", "why", "why_all", "close"):
             self.wants.add(pick)
         elif action is not None:
             action()

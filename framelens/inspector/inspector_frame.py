@@ -20,6 +20,7 @@ from framelens.base.output import next_free
 from framelens.gl.seam import edited, recording, unnoted
 from framelens.inspector.inspector import Inspector
 from framelens.inspector.inspector_image import Picture, cross_image, picture
+from framelens.report.why_report import as_text
 from framelens.state import state
 from framelens.tape import edit_files
 from framelens.tape.edits import Edit, Edits
@@ -27,10 +28,12 @@ from framelens.tape.effects import effects, watch
 from framelens.tape.lists import recompile
 from framelens.tape.pixel import history
 from framelens.tape.tape import Tape
+from framelens.why.diagnosis import diagnose
 
 EVERY = 0.25  # chosen: seconds between recordings while the walk goes on
 QUIET = 0.3  # chosen: seconds without a change, after which the effects of all calls are read
-ASKED = {"pixel", "under"}  # what is asked about a pixel: all its draws, or the one that is seen
+# What is asked: all draws of a pixel, the one that is seen there, why it or the picture looks so.
+ASKED = {"pixel", "under", "why", "why_all"}
 # Variables that each frame sets anew, and that depend on where the walker stands.
 OF_THE_EYE = ("_MATRIX", "_STACK", "GL_POSITION", "GL_SPOT_DIRECTION", ".equation", "EYE_PLANE")
 ARMS = 40  # chosen: arms of the cross-hair that fill the window's height
@@ -72,6 +75,7 @@ class Inspection:
         self._read = False  # whether the effects have been read
         self.shown: Picture | None = None
         self.letters: dict[str, str] = {}
+        self.with_past: Callable[[Tape], Tape] = lambda tape: tape  # a tape, with what came before
         self._size = (0, 0)
 
     @property
@@ -217,7 +221,10 @@ class Inspection:
         assert tape is not None
         if asked := model.wants & ASKED:
             model.wants -= ASKED
-            self._ask(tape, size, listed="pixel" in asked)
+            if asked <= {"pixel", "under"}:
+                self._ask(tape, size, listed="pixel" in asked)
+            else:
+                self._ask_why(tape, size, picture="why_all" in asked)
         now = time.monotonic()
         settled = model.stopped and now - max(self._changed, self._recorded) > QUIET
         if settled and not self._read and tape.size == size:
@@ -228,13 +235,28 @@ class Inspection:
 
     def _ask(self, tape: Tape, size: tuple[int, int], listed: bool) -> None:
         """Find out what happened to a pixel, and draw the frame again afterwards."""
-        model = self.model
-        pixel = model.pixel
+        pixel = self._pixel(size)
+        with unnoted():
+            self.model.ask(history(tape, *pixel), listed)
+            tape.replay()
+
+    def _pixel(self, size: tuple[int, int]) -> tuple[int, int]:
+        """Return the pixel asked about; it is the one in the middle where none was clicked."""
+        pixel = self.model.pixel
         if pixel is None or not (0 <= pixel[0] < size[0] and 0 <= pixel[1] < size[1]):
             pixel = size[0] // 2, size[1] // 2
-        model.pixel = pixel
+        self.model.pixel = pixel
+        return pixel
+
+    def _ask_why(self, tape: Tape, size: tuple[int, int], picture: bool) -> None:
+        """Find out why a pixel, or the picture, looks as it does; then draw the frame again."""
+        pixel = None if picture else self._pixel(size)
         with unnoted():
-            model.ask(history(tape, *pixel), listed)
+            whole = self.with_past(tape)
+            found = diagnose(whole, pixel, language=self._language)
+            first = found.causes[0].call - whole.begin if found.causes else -1
+            lines = [line for line in as_text(found, self._language, walk=False) if line]
+            self.model.explain(lines, str(first) if first >= 0 else "")
             tape.replay()
 
     def save(self) -> None:

@@ -174,6 +174,10 @@ def head(model: Inspector, language: str) -> list[Span]:
 def details(model: Inspector, language: str) -> Iterator[Block]:
     """Yield what is said about the chosen row."""
     node = model.node
+    if model.answer:
+        for line in model.answer:
+            yield Block((Span(line.strip(), "meaning" if line.startswith(" ") else "title"),))
+        return
     if model.history is not None and model.history:
         yield from _history(model.history[model.fragment], language)
     if node is None:

@@ -5,6 +5,15 @@ from framelens.base.texts import Phrases, reworded, translator
 # What framelens/tape/pixel.py and framelens/tape/arithmetic.py write.
 PHRASES: Phrases = (
     "fog has this colour already",
+    "the light is behind the surface",
+    "no light is enabled",
+    "ambient of the scene",
+    "attenuation",
+    "emission",
+    "specular",
+    "lighting:",
+    "ambient",
+    "diffuse",
     "the colour mask lets no component through",
     "outside the scissor box",
     "in the stencil buffer",
@@ -24,6 +33,7 @@ PHRASES: Phrases = (
     "unit",
     "fog:",
     ": fails",
+    "by N.L",
     "and",
     "or",
 )

@@ -32,10 +32,16 @@ INSPECTING = {
     glfw.KEY_DELETE: "switch",
     glfw.KEY_BACKSPACE: "undo_here",
     glfw.KEY_ESCAPE: "close",
+    glfw.KEY_F1: "why",
     glfw.KEY_KP_ADD: "more",
     glfw.KEY_KP_SUBTRACT: "less",
 }
-INSPECTING_SHIFT = {"next_value": "previous_value", "more": "more_fine", "less": "less_fine"}
+INSPECTING_SHIFT = {
+    "next_value": "previous_value",
+    "more": "more_fine",
+    "less": "less_fine",
+    "why": "why_all",
+}
 INSPECTING_CONTROL = {
     "undo_here": "undo_all",
     "Z": "undo",

@@ -11,6 +11,7 @@ import os
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -18,6 +19,7 @@ from framelens.base.errors import InputError
 from framelens.base.texts import choose
 from framelens.gl.seam import (
     Call,
+    GluCall,
     begin_pass,
     frame_begins,
     gl,
@@ -30,6 +32,7 @@ from framelens.inspector.inspector_frame import Inspection
 from framelens.inspector.keys import system_name
 from framelens.inspector.panel import Panel
 from framelens.inspector.requests import Requests
+from framelens.program.past import Past, followed
 from framelens.program.program import Window, run
 from framelens.program.program_events import BUTTONS, Event
 from framelens.spec import spec
@@ -49,14 +52,16 @@ def inspect(
     language: str = "",
     arguments: Sequence[str] = (),
     stdin: TextIO | None = None,
+    closed: bool = False,
 ) -> list[str]:
     """Run a program until its window is closed; return lines for the user.
 
-    ``edits`` are in force from the start. ``arguments`` and ``stdin`` are the program's. Raises as
-    :func:`framelens.program.program.run` does.
+    ``edits`` are in force from the start. ``arguments`` and ``stdin`` are the program's. ``closed``
+    begins with the inspector closed; F12 opens it, and F1, too, with the reason why the pixel under
+    the pointer looks as it does. Raises as :func:`framelens.program.program.run` does.
     """
     given = read(edits, Path(path).resolve().parent) if edits else []
-    inspector = ProgramInspector(given, language or choose(os.environ), path)
+    inspector = ProgramInspector(given, language or choose(os.environ), path, closed)
     with inspector:
         run(
             path,
@@ -75,9 +80,11 @@ def inspect(
 class ProgramInspector(ExitStack):
     """Watches a program (program/program.py), and stands between its window and its user."""
 
-    def __init__(self, given: Any, language: str, path: str = "") -> None:
-        """Begin open; ``path`` is the program's, for errors."""
+    def __init__(self, given: Any, language: str, path: str = "", closed: bool = False) -> None:
+        """Begin open, or ``closed``; ``path`` is the program's, for errors."""
         super().__init__()
+        self._closed = closed
+        self._records = False  # whether this frame is recorded: not with the inspector closed
         self._path = path
         self.inspection = Inspection(given, language, rewinds=False)
         self.notices: list[str] = []
@@ -95,6 +102,10 @@ class ProgramInspector(ExitStack):
         self._before: Buffers | None = None  # what the window showed then, if that stays
         self._keeps = False  # whether what is drawn stays from frame to frame
         self._binding: list[Call] = []  # a call of the program that binds shaders
+        self._glu: dict[bool, list[GluCall]] = {}  # calls of GLU in the setup, and in the frame
+        self._opened: Window | None = None
+        self._number_shown = 0
+        self.inspection.with_past = self._with_past
 
     # As framelens/program/program.py sees it.
 
@@ -111,10 +122,16 @@ class ProgramInspector(ExitStack):
             )
         self._new, self._pixels = state.read(), window.size
         self._keeps = not window.double_buffered
-        self._toggle()
+        self._opened = window
+        if not self._closed:
+            self._toggle()
 
     def frame_began(self, number: int) -> None:
-        """Begin to record a frame, with the edits."""
+        """Begin to record a frame, with the edits; the first one is always recorded."""
+        inspection = self.inspection
+        self._records = not number or inspection.open or bool(inspection.model.edits)
+        if not self._records:
+            return
         self._start = state.read()
         with unnoted():
             self._before = Buffers.read(self._pixels()) if number and self._keeps else None
@@ -131,11 +148,16 @@ class ProgramInspector(ExitStack):
 
     def frame_ended(self, number: int) -> None:
         """Show the frame under the inspector, until the program is to go on."""
+        if not self._records:
+            self._listen()
+            return
         self._show(self._taped(number), number)
 
     def _taped(self, number: int) -> Tape:
         """Return the frame that was recorded."""
         self.close()
+        self._number_shown = number
+        self._glu[number == 0] = list(self._recorder.glu)
         tape = Tape(self._recorder.calls, 0, self._start, self._pixels(), before=self._before)
         if not self._binding:
             self._binding = [call for call in tape.calls if binds_shaders(call.name)][:1]
@@ -143,6 +165,33 @@ class ProgramInspector(ExitStack):
             setup = [call for call in tape.calls if call.pass_ == "setup"]
             self._setup = Tape(setup, 0, self._start, tape.size)
         return tape
+
+    def _with_past(self, tape: Tape) -> Tape:
+        """Return the tape with what was set up before the frame, as far as that is known."""
+        window, number = self._opened, self._number_shown
+        if window is None:
+            return tape
+        before = list(self._setup.calls) if number else []
+        shift = len(before)
+        calls = [*before, *(replace(call, number=call.number + shift) for call in tape.calls)]
+        glu = self._glu.get(True, []) if number else []
+        glu = [note for note in glu if note.end <= shift]
+        glu += [
+            replace(note, begin=note.begin + shift, end=note.end + shift)
+            for note in self._glu.get(number == 0, [])
+        ]
+        past = Past(
+            window=window,
+            showing=window.showing,
+            frame=number,
+            source=str(Path(self._path).resolve()),
+            setters=followed(before),
+            first={},
+            now={},
+            chains={},
+            glu=glu,
+        )
+        return replace(tape, calls=calls, begin=shift, past=past)
 
     def _show(self, tape: Tape, number: int) -> None:
         """Show a frame under the inspector while that is open; leave its state behind."""
@@ -280,10 +329,23 @@ class ProgramInspector(ExitStack):
         if key == glfw.KEY_F12:
             if action == glfw.PRESS:
                 self._toggle()
+        elif key == glfw.KEY_F1 and self._closed and not self.inspection.open:
+            if action == glfw.PRESS:
+                self._ask_under_the_pointer()
         elif self.inspection.open and self._requests.key(key, action, mods):
             return
         elif key in self._keys and not self.inspection.holds:
             self._add("key", self._keys[key], action, mods)
+
+    def _ask_under_the_pointer(self) -> None:
+        """Open the inspector with the reason why the pixel under the pointer looks as it does."""
+        self._toggle()
+        model = self.inspection.model
+        x, y = self._glfw.get_cursor_pos(self._window)
+        scale = self._pixels()[0] / max(self._size[0], 1)
+        model.pixel = int(x * scale), int(y * scale)
+        model.wants.discard("under")
+        model.wants.add("why")
 
     def _button(self, button: int, action: int, mods: int) -> None:
         if self.inspection.open:

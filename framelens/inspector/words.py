@@ -28,11 +28,11 @@ TEXTS: Texts = {
     "inspector.keys": "Up Down: row. Right Left: open, close. Tab: value. + - or drag: change, "
     "with Ctrl finely. Del: call off, on. Ctrl+Z: undo. Backspace: undo here, with Ctrl all. "
     "Ctrl+S: save. Space: stop, go on. {pixel}: pixel in the middle, or click one. "
-    "{letter}: close",
+    "F1: why it looks so, with Shift the picture. {letter}: close",
     "inspector.keys_few": "Tab: value. + - or drag: change. Del: off, on. Ctrl+Z: undo. "
     "Ctrl+S: save. Space: go on. {letter}: close",
     "inspector.keys_pixel": "Up Down: draw. Enter or Left: its call in the frame. "
-    "{pixel}: pixel in the middle, or click one. {letter}: close",
+    "{pixel}: pixel in the middle, or click one. F1: why it looks so. {letter}: close",
     "inspector.drawn": "drawn",
     "inspector.clip": "clip",
     "inspector.scissor": "scissor",

@@ -60,8 +60,11 @@ def _looked(
         return target.look(lambda tape: diagnose(tape, pixel, limit, language, step), past=True)
 
 
-def as_text(found: Diagnosis, language: str) -> Iterator[str]:
-    """Yield the lines of a report: the verdict, each cause with its mend, what was ruled out."""
+def as_text(found: Diagnosis, language: str, walk: bool = True) -> Iterator[str]:
+    """Yield the lines of a report: the verdict, each cause with its mend, what was ruled out.
+
+    Without ``walk`` the draws that leave no trace are not listed.
+    """
     yield word(language, found.verdict, **found.verdict_values)
     for number, cause in enumerate(found.causes, 1):
         yield ""
@@ -71,7 +74,7 @@ def as_text(found: Diagnosis, language: str) -> Iterator[str]:
         if cause.pixels:
             key = "unseen" if cause.hidden else "pixels"
             yield f"   {word(language, key, n=cause.pixels)}"
-    if found.walk and (found.causes or found.verdict == "not-found"):
+    if walk and found.walk and (found.causes or found.verdict == "not-found"):
         yield ""
         yield word(language, "walk")
         yield from (f"  {line}" for line in found.walk)

@@ -14,6 +14,7 @@ import numpy as np
 from framelens.base.errors import InputError
 from framelens.gl.seam import Call, gl
 from framelens.tape.arithmetic import COMPARISONS, MODES, Blend, colour, fogged, token
+from framelens.tape.lighting import shares
 from framelens.tape.primitives import Draw, Primitives, grouped, primitives
 from framelens.tape.probe import Draws, Pixel, Probe, enabled, number
 from framelens.tape.steps import Step, issue
@@ -238,6 +239,9 @@ class _History:
         fog = enabled("GL_FOG")
         texts: list[str] = []
 
+        if enabled("GL_LIGHTING"):
+            lines, parts["lighting"] = shares(lambda set_: self._through(draw, units, 0, set_))
+            texts += lines
         if units:
             value = self._through(draw, units, 0)
             texts.append(f"colour {colour(value)}")
@@ -267,12 +271,18 @@ class _History:
         parts |= {"fragment": _list(source), "fragment_depth": depth}
         return "; ".join(texts), parts
 
-    def _through(self, draw: Draws, units: Sequence[int], first: int) -> np.ndarray:
-        """Return a fragment's colour before the fog, past the first so many texture units."""
+    def _through(
+        self, draw: Draws, units: Sequence[int], first: int, change: Draws = lambda: None
+    ) -> np.ndarray:
+        """Return a fragment's colour before the fog, past the first so many texture units.
+
+        ``change`` may set other state for it.
+        """
 
         def prepare() -> None:
             gl.glDisable(gl.GL_FOG)
             self._probe.without_units(units[first:])
+            change()
 
         return self._probe.fragment(draw, prepare)[0]
 

@@ -125,21 +125,24 @@ class Probe:
         """Return the colour of a draw's fragment, float64 (4,), before blending, and its depth.
 
         ``prepare`` may change state first: it lasts for this draw. All tests but the clip planes
-        are off.
+        are off; of several fragments it is the one that the program's depth test leaves, else the
+        last.
         """
+        compared, cleared = self._depth_test()
         with self.scissored():
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._float)
             for test in (gl.GL_ALPHA_TEST, gl.GL_STENCIL_TEST, gl.GL_BLEND, gl.GL_COLOR_LOGIC_OP):
                 gl.glDisable(test)
             # Writing depth takes the test, which lets all pass.
             gl.glEnable(gl.GL_DEPTH_TEST)
-            gl.glDepthFunc(gl.GL_ALWAYS)
+            gl.glDepthFunc(compared)
             gl.glDepthMask(True)
             gl.glColorMask(True, True, True, True)
             # As in a framebuffer of 8 bits, which a fragment's colour reaches between 0 and 1.
             gl.glClampColor(gl.GL_CLAMP_FRAGMENT_COLOR, gl.GL_TRUE)
             gl.glClearColor(0.0, 0.0, 0.0, 0.0)
-            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+            gl.glClearDepth(cleared)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
             prepare()
             draw()
             color, depth = np.zeros(4, np.float32), np.zeros(1, np.float32)
@@ -149,6 +152,16 @@ class Probe:
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self.target)
 
         return color.astype(np.float64), float(depth[0])
+
+    def _depth_test(self) -> tuple[int, float]:
+        """Return which of a draw's fragments is kept: a comparison, and the depth to begin with."""
+        compared = int(number("GL_DEPTH_FUNC"))
+        tested = enabled("GL_DEPTH_TEST") and number("GL_DEPTH_WRITEMASK")
+        if tested and compared in (gl.GL_LESS, gl.GL_LEQUAL):
+            return compared, 1.0
+        if tested and compared in (gl.GL_GREATER, gl.GL_GEQUAL):
+            return compared, 0.0
+        return int(gl.GL_ALWAYS), 1.0
 
     def units(self) -> list[int]:
         """Return the texture units in use."""

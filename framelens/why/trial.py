@@ -252,7 +252,12 @@ def _act(actions: Sequence[Action]) -> None:
         if callable(action):
             action()
         else:
-            getattr(gl, action[0])(*action[1])
+            getattr(gl, action[0])(*map(_array, action[1]))
+
+
+def _array(value: Any) -> Any:
+    """Return numbers as the array that a function takes, anything else as it is."""
+    return np.array(value, np.float32) if isinstance(value, (tuple, list)) else value
 
 
 def _item(each: Step | Draw) -> Item:

@@ -4,7 +4,6 @@ import argparse
 import json
 import os
 import re
-import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -41,8 +40,10 @@ ADVICE: Phrases = (
     "The tools draw frame 0 of a copied lesson, unless told otherwise; its picture is of the frame "
     "that its line `# picture:` names:",
 )
+WHY_KEY: Phrases = (
+    "F1: why the pixel under the pointer looks as it does. F12: the inspector, with all calls.",
+)
 WIDTH = 96  # chosen: columns of a docstring, at most
-PACKAGES = LESSONS.parents[2]  # the folder in which Python finds the package
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -75,7 +76,7 @@ def run(options: argparse.Namespace) -> int:
         elif options.inspect:
             from framelens.inspector.program_inspector import inspect
 
-            inspect(str(chosen.file), None, options.lang)
+            inspect(str(chosen.file), language=options.lang)
         elif options.json:
             print(json.dumps(chosen.as_json(), indent=1))
         else:
@@ -113,7 +114,10 @@ def _list(options: argparse.Namespace) -> None:
 
 
 def show(chosen: Lesson) -> int:
-    """Run a lesson in a window until it ends; return its exit status."""
+    """Run a lesson in a window until it ends; return the exit status.
+
+    F1 in it says why the pixel under the pointer looks as it does, in the inspector.
+    """
     if sys.platform == "linux":
         kind, reason = display.choose(os.environ)
         if not kind:
@@ -123,9 +127,12 @@ def show(chosen: Lesson) -> int:
             )
     for line in chosen.about:
         print(translated(line), file=sys.stderr)
-    path = os.pathsep.join(filter(None, [str(PACKAGES), os.environ.get("PYTHONPATH", "")]))
-    program = [sys.executable, str(chosen.file)]
-    return subprocess.run(program, env={**os.environ, "PYTHONPATH": path}).returncode
+    from framelens.inspector.program_inspector import inspect
+
+    print(translated(WHY_KEY[0]), file=sys.stderr)
+    for line in inspect(str(chosen.file), language=choose(os.environ), closed=True):
+        print(line, file=sys.stderr)
+    return 0
 
 
 def picture(chosen: Lesson, out: Path, backend: str = "auto") -> None:
