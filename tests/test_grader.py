@@ -205,6 +205,21 @@ def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     assert "ZeroDivisionError" in shown["error"] and shown["picture_difference"] is None
 
 
+def test_a_picture_of_one_colour_gets_its_first_cause(tmp_path: Path) -> None:
+    place = {"env": environment(), "cwd": tmp_path}
+    landscape("exercise", "start", "fog", "--lang", "en", **place)
+    mine = tmp_path / "fog.py"
+    source = re.sub(r"glViewport\(.*\)", "glViewport(0, 0, 0, 0)", mine.read_text())
+    mine.write_text(source)
+    line = source[: source.index("glViewport")].count("\n") + 1
+    words = ("exercise", "check", str(mine), "--seconds", str(PATIENCE), "--lang", "en")
+    done = landscape(*words)
+    told = " ".join(done.out.split())
+    assert f"The picture is all of one colour: line {line}. The viewport is 0, 0, 0, 0" in told
+    cause = json.loads(landscape(*words, "--json").out)["cause"]
+    assert cause["cause"] == "viewport" and cause["source"] == f"fog.py:{line}"
+
+
 def test_what_is_refused_is_told_in_french_as_well(tmp_path: Path) -> None:
     french = {**environment(), "LANGUAGE": "fr"}
     (tmp_path / "winding.py").write_text("# mine\n")

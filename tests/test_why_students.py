@@ -7,6 +7,7 @@ program, one that ends in ``#+`` only in the mended one.
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -15,7 +16,12 @@ from pathlib import Path
 import pytest
 from watching import screen
 
+from framelens.base.texts import translator
+from landscape.course.pages import blocks
+
 ROOT = Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "black.md"
+ASKED = re.compile(r"`landscape why (\w+)\.py(?: (\d+),(\d+))?(?: --frame (\d+))?` answers")
 PROGRAMS = sorted(Path(__file__).with_name("student_programs").glob("*.txt"))
 CHILD = """
 import json, sys
@@ -68,3 +74,46 @@ def test_the_mistake_of_a_student_is_named_and_its_absence_too(path, display, tm
         assert [cause["cause"] for cause in answer["causes"]][:1] == [case["cause"]], answer
         assert answer["causes"][0]["pixels"] > 0
     assert [answer["causes"] for answer in answers[len(pixels) :]] == [[]] * len(pixels)
+
+
+def broken_program(path: Path, folder: Path) -> tuple[Path, str]:
+    """Write the broken program into a folder; return it with its text."""
+    _, *lines = path.read_text(encoding="utf-8").splitlines()
+    program = folder / f"{path.stem}.py"
+    program.write_text(part(lines, "#-", "#+"), encoding="utf-8")
+    return program, program.read_text(encoding="utf-8")
+
+
+@pytest.mark.posix_only("its tests have no GLUT")
+@pytest.mark.sweep(4, first=1)
+@pytest.mark.parametrize("number", range(11))
+def test_the_answers_on_the_page_are_those_of_the_tool(number, display, tmp_path):
+    told = blocks(PAGE.read_text(encoding="utf-8"))
+    place = [k for k, block in enumerate(told) if ASKED.match(block.text)][number]
+    name, x, y, frame = ASKED.match(told[place].text).groups()
+    program, text = broken_program(
+        Path(__file__).with_name("student_programs") / f"{name}.txt", tmp_path
+    )
+    for line in told[place - 1].text.splitlines()[1:-1]:
+        assert line.strip() in text, "the page shows a line that the program has not"
+
+    words = [str(program), *([f"{x},{y}"] if x else []), "--frame", frame or "0"]
+    for language, answers in (("en", "answers, for line"), ("fr", "répond, pour la ligne")):
+        done = subprocess.run(
+            [sys.executable, "-m", "landscape", "why", *words, "--lang", language],
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env={**os.environ, "PYTHONPATH": str(ROOT), "DISPLAY": display},
+        )
+        _, cause, sentence, mend = [line.strip() for line in done.stdout.splitlines() if line][:4]
+        line = cause.partition(":")[2].split()[0]
+        colon = ":" if language == "en" else " :"
+        expected = f"{answers} {line}{colon} {sentence} {mend}"
+        shown = translator(language, "docs/black")(told[place].text)
+        assert plain(shown).endswith(plain(expected))
+
+
+def plain(text: str) -> str:
+    """Return a text with plain spaces and apostrophes."""
+    return re.sub("[\u00a0\u202f]", " ", text).replace("\u2019", "'")

@@ -47,6 +47,7 @@ RULES: tuple[Rule, ...] = (
 # Of a frame that ends with an error: the rest of it is not there to be looked at.
 BROKEN_OFF: tuple[Rule, ...] = (*rules_window.RULES, rules_geometry.unbalanced)
 LIMIT = 8.0  # seconds that the search may take; chosen
+ALWAYS = 4  # suspects that are tried however late it is; chosen
 LEAST = 12  # pixels that must differ for a proof; chosen
 PAIRS = 6  # suspects that are tried in pairs; chosen
 MOST = 3  # causes that are named; chosen
@@ -163,7 +164,7 @@ def _diagnosed(
         step(index, len(suspects))
         if proven and suspect.strength < proven[0][0].strength - WEAKER:
             break
-        if time.monotonic() > until:
+        if index >= ALWAYS and time.monotonic() > until:
             break
         pixels = _proof(found, suspect)
         if pixels:

@@ -103,7 +103,8 @@ CAUSES: Texts = {
     "depth-range": "glDepthRange, now {value}, turns the depths round.",
     "depth-range.mend": "write glDepthRange(0.0, 1.0)",
     "depth-test": "The depth test ({function}) lets nothing of these draws pass.",
-    "depth-test.mend": "clear the depth buffer at the beginning of the frame, to 1",
+    "depth-test.mend": "call glDisable(GL_DEPTH_TEST) before them, or clear the depth buffer to 1 "
+    "before them",
     "near-zero": "The near plane is at {near}: all depths become the same, and the depth test "
     "cannot tell what is in front.",
     "near-zero.mend": "write a near plane above 0, such as 0.1",
@@ -114,7 +115,7 @@ CAUSES: Texts = {
     "(line {later}), and writes its depth: the depth test then rejects what is behind.",
     "translucent-first.mend": "draw translucent shapes last, from far to near, with "
     "glDepthMask(GL_FALSE)",
-    "no-blend": "The colour has an alpha of {alpha}, but GL_BLEND is not enabled: alpha has no "
+    "no-blend": "What is drawn has an alpha of {alpha}, but GL_BLEND is not enabled: alpha has no "
     "effect.",
     "no-blend.mend": "call glEnable(GL_BLEND)",
     "alpha-zero": "Blending is on and the colour's alpha is {value}: nothing of it is seen.",
@@ -211,7 +212,7 @@ CAUSES: Texts = {
     "beside": "All vertices lie outside the view: {sides}.",
     "beside.mend": "move the shape or the camera",
     # Lighting.
-    "light-off": "{light} is not enabled: lighting computes with no light.",
+    "light-off": "{light} is not enabled: it gives no light.",
     "light-off.mend": "call glEnable({light})",
     "lighting-off": "{light} is enabled, but GL_LIGHTING is not: it lights nothing.",
     "lighting-off.mend": "call glEnable(GL_LIGHTING)",

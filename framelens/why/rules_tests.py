@@ -372,7 +372,7 @@ def near_zero(survey: Survey) -> Iterator[Suspect]:
             strength=95,
             state="GL_PROJECTION_MATRIX",
             value=near,
-            values={"near": near if np.isfinite(near) else 0.0},
+            values={"near": abs(near) if np.isfinite(near) else 0.0},
             draws=mine,
         )
 

@@ -4,13 +4,18 @@ import argparse
 import os
 import shutil
 import textwrap
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from framelens.base.errors import InputError
+import numpy as np
+
+from framelens.base.errors import InputError, NoOpenGLError
 from framelens.base.output import check_writable, save_png
 from framelens.base.texts import Translator, choose
 from framelens.commands.parser import language_option
+from framelens.program.program_frame import ProgramFrame
+from framelens.report.why_report import find
 from framelens.system import quoted
 from landscape.commands.exercise_list import json_text
 from landscape.course.exercise import Exercise, Grader, Report
@@ -22,6 +27,7 @@ from landscape.course.language import told_in
 EXAMPLE = "winding.py --heat-map difference.png"
 WIDTHS = 72, 100  # chosen: least and most columns of a report
 SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
+WHY = _("The picture is all of one colour: line {line}. {text} Mend: {mend}.")
 WRITTEN = _("{file}: your picture, where it differs, and the solution's")
 
 
@@ -75,24 +81,56 @@ def _check(options: argparse.Namespace, language: str) -> int:
         check_writable(options.heat_map, "--heat-map ")
     with Grader(options.seconds) as grader:
         report = grader.check(options.file)
-        _ = report.exercise.translate.to(language)
-        if options.heat_map is not None and report.work is not None and report.solution is not None:
-            from landscape.course.grader.heat_map import heat_map
 
-            save_png(heat_map(report.work, report.solution), options.heat_map)
-        if options.json:
-            print(json_text(as_json(report, _)))
-        elif report.error is None and not options.quiet:
-            columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
-            columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
-            print("\n".join(as_text(report, _, columns)))
-            if options.heat_map is not None:
-                print(_(WRITTEN).format(file=options.heat_map))
-            elif (report.difference or 0) > MOST:
-                print(_(SHOWN).format(file=quoted(str(options.file))))
-        if report.error is not None:
-            raise InputError(f"{options.file}: {sentence(report.error, _)}")
-        return 0 if report.passed else 1
+    _ = report.exercise.translate.to(language)
+    if options.heat_map is not None and report.work is not None and report.solution is not None:
+        from landscape.course.grader.heat_map import heat_map
+
+        save_png(heat_map(report.work, report.solution), options.heat_map)
+    if options.json:
+        print(json_text(as_json(report, _) | {"cause": first_cause(report, language)}))
+    elif report.error is None and not options.quiet:
+        columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
+        columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
+        print("\n".join(as_text(report, _, columns)))
+        if (cause := first_cause(report, language)) is not None:
+            line = cause["source"].rpartition(":")[2]
+            told = _(WHY).format(line=line, text=cause["text"], mend=cause["mend"])
+            print("\n".join(textwrap.wrap(told, columns, break_on_hyphens=False)))
+        if options.heat_map is not None:
+            print(_(WRITTEN).format(file=options.heat_map))
+        elif (report.difference or 0) > MOST:
+            print(_(SHOWN).format(file=quoted(str(options.file))))
+    if report.error is not None:
+        raise InputError(f"{options.file}: {sentence(report.error, _)}")
+    return 0 if report.passed else 1
+
+
+def first_cause(report: Report, language: str) -> dict[str, Any] | None:
+    """Return why the picture of a program that has not passed is all of one colour.
+
+    It is a cause as `landscape why --json` prints it; None where the picture has more colours, as
+    has every one of the solution's that is asked about, or no cause is found.
+    """
+    if report.passed or report.work is None or report.solution is None:
+        return None
+    work, solution = report.work.frames, report.solution.frames
+    for number in sorted(work):
+        if _plain(work[number].picture) and not _plain(solution[number].picture):
+            return _cause(str(report.work.path), number, language)
+    return None
+
+
+def _plain(picture: np.ndarray) -> bool:
+    return not (picture != picture[:1, :1]).any()
+
+
+def _cause(path: str, frame: int, language: str) -> dict[str, Any] | None:
+    with suppress(InputError, NoOpenGLError):
+        found = find(ProgramFrame(path, frame=frame), language=language)
+        for cause in found.causes[:1]:
+            return cause.as_json(language)
+    return None
 
 
 def as_json(report: Report, _: Translator) -> dict[str, Any]:

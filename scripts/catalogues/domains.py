@@ -31,6 +31,8 @@ DOCUMENTS = (
     "README.md",
     "docs/gate.md",
     "docs/frame.md",
+    "docs/why.md",
+    "docs/black.md",
     "docs/programs.md",
     "docs/lecture.md",
     "docs/glut.md",
