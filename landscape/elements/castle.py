@@ -7,8 +7,8 @@ The castle's own frame: the unit square x, z in 0..1, the gate wall at z = 0, y 
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset, the depth mask.
 What is wrong with it: a flame is flat, and vanishes from the side (switch ``castle.flame_faces``,
 R2); the gate's three layers are fogged three times, so that it is darker than the other walls in
-fog (switch ``castle.multitexture``, R11, best/ornate/gate.py). The castle of the preset ``best`` is
-best/ornate/ornate_castle.py.
+fog (switch ``castle.multitexture``, R11, best/castle/gate.py). The castle of the preset ``best`` is
+best/castle/ornate_castle.py.
 """
 
 import math

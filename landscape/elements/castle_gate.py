@@ -4,7 +4,7 @@ Technique: the door's texture has a transparent surround and is blended over the
 texture is multiplied over both by glBlendFunc(GL_ZERO, GL_SRC_COLOR); its far texture coordinates
 move with kt, so that the light flickers. Own frame: that of the castle.
 What is wrong with it: three layers are fogged three times, so that in fog the gate wall is darker
-than the others (switch ``castle.multitexture``, R11, best/ornate/gate.py).
+than the others (switch ``castle.multitexture``, R11, best/castle/gate.py).
 State used: GL_TEXTURE_2D, GL_LIGHTING, GL_BLEND, polygon offset, which the castle restores.
 """
 

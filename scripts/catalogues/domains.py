@@ -47,6 +47,7 @@ DOCUMENTS = (
     "docs/flyover.md",
     "docs/environments.md",
     "docs/documents.md",
+    "docs/reading.md",
 )
 """The documents that are translated, below the root of the project."""
 

@@ -10,7 +10,10 @@ from landscape.course.pages import BY_CELL, as_markdown, blocks, by_cell
 ROOT = Path(__file__).resolve().parents[2]
 TEACHING = ("lecture", "exercises", "glut", "sheet")  # for who gives the course
 TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
-BUILT = ("documents", "errata", "performance", "voxels", "flyover", "environments", "assets")
+BUILT = (
+    *("reading", "documents", "errata", "performance"),
+    *("voxels", "flyover", "environments", "assets"),
+)
 ALL = (*TEACHING, *TOOLS, *BUILT)
 
 
