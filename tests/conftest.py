@@ -9,6 +9,7 @@ import os
 import shutil
 import sys
 import tempfile
+from datetime import date
 
 # The tests do not use the user's own cache.
 # Worker processes of pytest-xdist inherit the folder of the process that started them.
@@ -17,6 +18,8 @@ if WORKER:
     os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe's threads compete with the workers
 else:
     os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
+    # All workers take the same day, even if a run goes past midnight.
+    os.environ.setdefault("LANDSCAPE_TESTS_DAY", str(date.today().toordinal()))
     # Some containers set it; then each of a few hundred processes would compile all modules again.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # Numpy's library starts a thread for each processor, in each of a few hundred processes.
@@ -64,34 +67,46 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Skip what Windows lacks; leave out most cases of a sweep, unless --all.
+    """Skip what Windows lacks; leave out most cases of a sweep, unless --all."""
+    if sys.platform == "win32":
+        for item in items:
+            for marker in item.iter_markers("posix_only"):
+                item.add_marker(pytest.mark.skip(reason=f"Windows: {marker.args[0]}"))
+    else:
+        leave_out(
+            config, items, [item for item in items if item.get_closest_marker("windows_only")]
+        )
+    if not config.getoption("--all"):
+        leave_out(config, items, not_today(items, int(os.environ["LANDSCAPE_TESTS_DAY"])))
 
-    `sweep(n, first=0)` keeps every nth case from the one numbered ``first``, at least one of them.
+
+def not_today(items: list[pytest.Item], day: int) -> list[pytest.Item]:
+    """Return the cases of the tests marked `sweep(n, first=0)` that are not run on this day.
+
+    Every nth case is, at least one of them, on the next day the cases after them: after n days each
+    has been run.
     """
-    for item in items if sys.platform == "win32" else ():
-        for marker in item.iter_markers("posix_only"):
-            item.add_marker(pytest.mark.skip(reason=f"Windows: {marker.args[0]}"))
-    if sys.platform != "win32":
-        left = [item for item in items if not item.get_closest_marker("windows_only")]
-        config.hook.pytest_deselected(items=[item for item in items if item not in left])
-        items[:] = left
-
-    if config.getoption("--all"):
-        return
     families: defaultdict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
         if item.get_closest_marker("sweep"):
             families[item.nodeid.partition("[")[0]].append(item)
-    left_out = set()
+
+    rest: list[pytest.Item] = []
     for family in families.values():
         marker = family[0].get_closest_marker("sweep")
         assert marker is not None
-        every, first = marker.args[0], marker.kwargs.get("first", 0)
-        left_out |= {*family} - {*(family[first::every] or family[:1])}
+        every = min(marker.args[0], len(family))
+        first = (marker.kwargs.get("first", 0) + day) % every
+        rest += [item for number, item in enumerate(family) if number % every != first]
+    return rest
 
-    if left_out:
-        config.hook.pytest_deselected(items=list(left_out))
-        items[:] = [item for item in items if item not in left_out]
+
+def leave_out(config: pytest.Config, items: list[pytest.Item], unwanted: list[pytest.Item]) -> None:
+    """Deselect tests."""
+    if unwanted:
+        gone = {*unwanted}
+        config.hook.pytest_deselected(items=unwanted)
+        items[:] = [item for item in items if item not in gone]
 
 
 @pytest.fixture(scope="session")

@@ -114,8 +114,8 @@ TOWARDS = (
     (
         made(lambda a, b, c: False),
         _(
-            "No face is drawn: what is multiplied with the normal is no line of sight, "
-            "from the camera to the face."
+            "No face is drawn: the normal is multiplied by something that is not the line of "
+            "sight from the camera to the face."
         ),
     ),
 )
@@ -218,7 +218,7 @@ def right(work, solution):
 
 @test(
     _("Faces are drawn by the side to which they are turned"),
-    _("Not all of them, and not those whose back is turned to the camera."),
+    _("Some faces must stay, and those that turn their back to the camera must go."),
 )
 def towards(work, solution):
     return None if right(work, solution) else told(work, TOWARDS)
@@ -226,7 +226,7 @@ def towards(work, solution):
 
 @test(
     _("The faces that are turned towards the camera are drawn, and no others"),
-    _("The sign of one number says it: that of the product of the normal and the line of sight."),
+    _("One sign decides it: the sign of the dot product of the normal and the line of sight."),
     needs=towards,
 )
 def away(work, solution):

@@ -201,8 +201,8 @@ PHOTOGRAPHS = (
     (
         from_start,
         _(
-            "What is measured is the straight distance from the beginning of the path, and not the "
-            "way along it."
+            "This measures the straight distance from the beginning of the path, not the "
+            "distance along it."
         ),
     ),
     (
@@ -265,7 +265,7 @@ def curve(work, solution):
 
 @test(
     _("The plane flies at one speed"),
-    _("What is equal between two photographs is the way along the path."),
+    _("The distance along the path is the same between any two photographs."),
     needs=curve,
 )
 def speed(work, solution):

@@ -148,7 +148,7 @@ def upright(work, solution):
 
 @test(
     _("Each tree faces the eye"),
-    _("The angle is that of the line from the tree to the eye, in every frame."),
+    _("In every frame the angle is the direction from the tree to the eye."),
     needs=upright,
 )
 def facing(work, solution):
@@ -220,9 +220,8 @@ def facing(work, solution):
             "the x axis to the negative z axis."
         ): -every_right,
         _(
-            "In line {line} the arguments of atan2 are swapped: for a quad that looks along the x "
-            "axis, the first is how far the eye is in the direction of -z, the second in that of "
-            "x."
+            "In line {line} the arguments of atan2 are swapped: for a quad that looks along the "
+            "x axis, the first is how far away the eye is along -z, the second how far along x."
         ): 90 - every_right,
     }
     for text, angle in told.items():

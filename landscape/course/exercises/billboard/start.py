@@ -91,7 +91,7 @@ def draw_orchard():
         glVertex3f(5 * math.cos(step * math.pi / 24), 0, -5 * math.sin(step * math.pi / 24))
     glEnd()
     glEnable(GL_TEXTURE_2D)
-    glEnable(GL_ALPHA_TEST)  # leaves out what is transparent in the picture
+    glEnable(GL_ALPHA_TEST)  # leaves out the transparent parts of the picture
     glColor3f(1, 1, 1)
     for x, z in TREES:
         draw_tree(x, z)

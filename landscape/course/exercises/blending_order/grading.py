@@ -33,7 +33,7 @@ def line(work, name, *first):
 
 
 @test(
-    _("Each tube is drawn once, and what is opaque, too"),
+    _("Each tube and each opaque thing is drawn once"),
     _("Two tubes of alpha 0.35, the floor, the pillar and the ball."),
 )
 def drawn(work, solution):
@@ -51,8 +51,11 @@ def drawn(work, solution):
 
 
 @test(
-    _("What is opaque is drawn first"),
-    _("Glass is mixed with what is there already. What comes later is not seen through it."),
+    _("Opaque things are drawn first"),
+    _(
+        "Glass is mixed with the colours that are there already. Anything drawn later "
+        "cannot be seen through it."
+    ),
     needs=drawn,
 )
 def opaque_first(work, solution):
@@ -63,8 +66,8 @@ def opaque_first(work, solution):
         if all(kinds[:2]):
             return hint(
                 _(
-                    "Both tubes are drawn before the floor and the ball, which are not there yet: "
-                    "nothing is to be seen through the glass but the background."
+                    "Both tubes are drawn before the floor and the ball, which are not there "
+                    "yet: only the background shows through the glass."
                 )
             )
         return hint(
@@ -123,10 +126,10 @@ def factors(state):
 
 
 @test(
-    _("0.35 of the glass and 0.65 of what is there"),
+    _("0.35 of the glass and 0.65 of the colour behind it"),
     _(
-        "The first argument of glBlendFunc is the factor of the new colour, the second that of the "
-        "old one."
+        "The first argument of glBlendFunc is the factor of the new colour, the second the "
+        "factor of the old one."
     ),
     needs=blended,
 )
@@ -139,14 +142,14 @@ def function(work, solution):
     if found == [1, 0]:
         return hint(
             _(
-                "glBlendFunc is not called. Without that the factors are 1 for the glass and 0 for "
-                "what is there."
+                "glBlendFunc is not called. Without it the factors are 1 for the glass and 0 for "
+                "the colour behind it."
             )
         )
 
     if found[1] == 1:
         return hint(
-            _("Line {line} adds the glass to all of what is there: that is light, and not glass."),
+            _("Line {line} adds the glass to the full colour behind it: that is light, not glass."),
             line=at,
         )
 
@@ -154,8 +157,8 @@ def function(work, solution):
         return hint(_("In line {line} the two factors are swapped."), line=at)
     return hint(
         _(
-            "With {new} and {old} in line {line}, the glass and what is there do not have the "
-            "factors 0.35 and 0.65."
+            "With {new} and {old} in line {line}, the glass and the colour behind it do not have "
+            "the factors 0.35 and 0.65."
         ),
         new=state["GL_BLEND_SRC_RGB"],
         old=state["GL_BLEND_DST_RGB"],
@@ -164,7 +167,7 @@ def function(work, solution):
 
 
 @test(
-    _("What is opaque and nearer hides the glass"),
+    _("Nearer opaque things hide the glass"),
     _("The depth test stays on for glass: only writing depths is turned off."),
     needs=function,
 )
@@ -182,7 +185,7 @@ def hidden(work, solution):
 
 @test(
     _("The farther tube is drawn first"),
-    _("From every side: what is farther changes with the eye."),
+    _("From every side: which tube is farther away depends on the eye."),
     needs=hidden,
 )
 def order(work, solution):
@@ -232,7 +235,7 @@ def no_depths(work, solution):
 
 @test(
     _("All is as before after the last tube"),
-    _("What is left on or off holds for the next frame, and for its glClear."),
+    _("Whatever is left on or off stays so in the next frame, and for its glClear."),
     needs=no_depths,
 )
 def restored(work, solution):
@@ -251,7 +254,7 @@ def restored(work, solution):
         if not all(state["GL_DEPTH_WRITEMASK"] for state in bodies):
             return hint(
                 _(
-                    "glDepthMask in line {line} holds for what is opaque as well: then the floor "
+                    "glDepthMask in line {line} applies to opaque things as well: then the floor "
                     "hides nothing."
                 ),
                 line=line(work, "glDepthMask"),

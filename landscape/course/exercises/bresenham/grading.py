@@ -139,8 +139,8 @@ LACKING_ENDS = (
     (
         lambda line: [line[:2], line[2:]],
         _(
-            "Only the two ends of each line are there. What lies between them has yet to be "
-            "returned: one pixel for each step along the longer side."
+            "Only the two ends of each line are there. The pixels between them are missing: one "
+            "for each step along the longer side."
         ),
     ),
     (
@@ -153,9 +153,8 @@ LACKING_ENDS = (
     (
         lambda line: [(y, x) for x, y in pixels(line)] if steep(line) else pixels(line),
         _(
-            "The lines that are higher than wide are in the wrong place: their rows and "
-            "columns have "
-            "changed places, and have not been changed back."
+            "Lines that are taller than wide are in the wrong place: their rows and columns were "
+            "swapped, and not swapped back."
         ),
     ),
     (
@@ -203,8 +202,8 @@ WAYS = (
     (
         steep,
         _(
-            "Of the lines that are higher than wide, none gets to its end: these must make one "
-            "step for each row, and not for each column."
+            "Lines that are taller than wide never reach their end: they need one step for each "
+            "row, not for each column."
         ),
     ),
     (
@@ -226,9 +225,8 @@ SLOPES = (
     (
         lambda longer, shorter: 0,
         _(
-            "The oblique lines are as good as straight: after a step aside, or before the "
-            "first, what "
-            "lets the error grow to the next one?"
+            "The sloping lines come out almost flat: after a step aside, or before the first, "
+            "what makes the error grow to the next one?"
         ),
     ),
     (
@@ -319,7 +317,10 @@ def gaps(work, number):
 
 @test(
     _("No line has a gap"),
-    _("One pixel for each column of a line that is wider than high, and else one for each row."),
+    _(
+        "One pixel for each column of a line that is wider than tall, and otherwise one "
+        "for each row."
+    ),
     needs=ends,
 )
 def whole(work, solution):
@@ -332,8 +333,8 @@ def whole(work, solution):
         if all(steep(line) for line, _place in holes):
             return hint(
                 _(
-                    "The lines that are higher than wide have gaps: in the one {line}, row {y} has "
-                    "no pixel. They need one in each row, and not in each column."
+                    "Lines that are taller than wide have gaps: in the line {line}, row {y} is "
+                    "empty. They need one pixel in each row, not in each column."
                 ),
                 **values,
             )
@@ -422,7 +423,7 @@ def close(work, solution):
 
 @test(
     _("No pixel is returned twice"),
-    _("A line that is mixed with what it lies on would have spots there."),
+    _("A line that is blended with its background would have spots there."),
     needs=close,
 )
 def once(work, solution):
@@ -481,7 +482,10 @@ def order(work, solution):
                 )
             )
         return hint(
-            _("The pixels of {count} lines are not in order, such as those of the line {line}."),
+            _(
+                "The pixels of {count} lines are not in order, for example those of the "
+                "line {line}."
+            ),
             count=len(wrong),
             line=named(wrong[0]),
         )

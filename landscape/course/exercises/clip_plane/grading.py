@@ -171,8 +171,8 @@ def place(work, solution):
     a, b, c, d = inside + 0.0
     return hint(
         _(
-            "In the tower's coordinates, the plane of line {line} keeps what has "
-            "{a:.2f} x + {b:.2f} y + {c:.2f} z + {d:.2f} >= 0, and not what has z <= 0.3."
+            "In the tower's coordinates, the plane of line {line} keeps the points with {a:.2f} "
+            "x + {b:.2f} y + {c:.2f} z + {d:.2f} >= 0, not those with z <= 0.3."
         ),
         line=at,
         a=a,
@@ -222,7 +222,7 @@ def regions(solution, number):
 
 @test(
     _("The picture is right"),
-    _("From two sides, one looks into the tower."),
+    _("From two sides you look into the tower."),
     needs=whole,
 )
 def picture(work, solution):

@@ -63,8 +63,8 @@ def elsewhere(work):
         (
             HULL * (1, -1),
             _(
-                "The hull hangs in the sky, upside down: y grows upwards, and what lies below the "
-                "middle has a negative y."
+                "The hull hangs in the sky, upside down: y grows upwards, and everything below "
+                "the middle has a negative y."
             ),
         ),
         (
@@ -217,7 +217,7 @@ def sail(work, solution):
         return hint(
             _(
                 "The sail has a single colour though its vertices have three: "
-                "glShadeModel(GL_FLAT) takes that of the last one for the whole face."
+                "glShadeModel(GL_FLAT) takes the last one's colour for the whole face."
             )
         )
 
@@ -228,8 +228,8 @@ def sail(work, solution):
     if np.abs(given - given[0]).max() < NEAR:
         return hint(
             _(
-                "The sail has a single colour: that of its first vertex holds until another one is "
-                "set."
+                "The sail has a single colour: the colour of its first vertex stays current "
+                "until another one is set."
             )
         )
 
@@ -260,7 +260,7 @@ def sail(work, solution):
 
 @test(
     _("The pennant has its shape and its colour"),
-    _("The colour of what was drawn before holds on until another one is set."),
+    _("The colour set before stays current until another one is set."),
     needs=sail,
 )
 def pennant(work, solution):
@@ -279,8 +279,8 @@ def pennant(work, solution):
     if draw.mode in (*LINES, "GL_POINTS"):
         return hint(
             _(
-                "Of the pennant there is only what {mode} in line {line} makes of its corners, and "
-                "no face."
+                "The pennant has no face: {mode} in line {line} draws only points or lines at "
+                "its corners."
             ),
             mode=draw.mode,
             line=draw.line,

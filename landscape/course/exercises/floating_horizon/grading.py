@@ -156,9 +156,8 @@ OF_FRONT = (
             number, lambda low, high, horizon: (low, np.minimum(high, horizon)), begin=-1
         ),
         _(
-            "What is drawn are the hidden pixels, and only these: the comparison with the "
-            "horizon is "
-            "the wrong way round."
+            "Only the hidden pixels are drawn: the comparison with the horizon is the wrong way "
+            "round."
         ),
     ),
 )
@@ -166,8 +165,8 @@ HIDDEN = (
     (
         lambda number: drawn(number, whole),
         _(
-            "Nothing is hidden: what is farther away is drawn over what is nearer. Which height of "
-            "each column must be remembered from row to row?"
+            "Nothing is hidden: farther rows are drawn over nearer ones. Which height must be "
+            "remembered for each column from row to row?"
         ),
     ),
     (
@@ -204,9 +203,8 @@ HIDDEN = (
             ),
         ),
         _(
-            "Through the mountain whose summit is above the picture, far rows are seen: what "
-            "is not "
-            "in the picture hides, too."
+            "Far rows show through the mountain whose summit is above the picture: a line hides "
+            "others even where it is outside the picture."
         ),
     ),
     (
@@ -222,8 +220,8 @@ HIDDEN = (
             number, from_top, lambda low, high, horizon: np.minimum(horizon, low), begin=HEIGHT
         ),
         _(
-            "What is seen are the undersides of the hills: a greater height is higher up here, and "
-            "the horizon must rise and not sink."
+            "You see the undersides of the hills: here a greater height is higher up, so the "
+            "horizon must rise, not sink."
         ),
     ),
     *(
@@ -310,8 +308,8 @@ def front(work, solution):
         if number and np.array_equal(found(work, 0), drawn(0)):
             return hint(
                 _(
-                    "The first frame is right, and in the next one the nearest row is hidden: the "
-                    "horizon is still that of the frame before."
+                    "The first frame is right; in the next one the nearest row is hidden: the "
+                    "horizon is still the one of the frame before."
                 )
             )
         rows = np.flatnonzero((shown != NOTHING).any(axis=1))
@@ -338,7 +336,7 @@ def front(work, solution):
 
 
 @test(
-    _("What is below the horizon is not drawn"),
+    _("Nothing below the horizon is drawn"),
     _("All that is not higher than a nearer row is behind it."),
     needs=front,
 )
@@ -368,7 +366,7 @@ def hidden(work, solution):
 
 
 @test(
-    _("What is above the horizon is drawn"),
+    _("Everything above the horizon is drawn"),
     _("A row may be seen in some columns and hidden in others, and also within a column."),
     needs=hidden,
 )

@@ -38,8 +38,8 @@ def fogged(work, solution):
         if vertices(work.frame(number)) < vertices(solution.frame(number)):
             return hint(
                 _(
-                    "In frame {frame} a part of the bay is not drawn: fog hides it, and nothing is "
-                    "to be left out."
+                    "In frame {frame} a part of the bay is not drawn. Leave nothing out: the fog "
+                    "hides it."
                 ),
                 frame=number,
             )
@@ -146,7 +146,7 @@ def density(work, solution):
 
 @test(
     _("The fog has the colour FOG"),
-    _("GL_FOG_COLOR is what remains where f is 0."),
+    _("Where f is 0, only GL_FOG_COLOR remains."),
     needs=density,
 )
 def color(work, solution):
@@ -155,7 +155,7 @@ def color(work, solution):
         return None
     if at := line(work, "glFog", "GL_FOG_COLOR"):
         return hint(
-            _("Line {line} sets the fog's colour {color}, and not that of FOG."),
+            _("Line {line} sets the fog's colour to {color}, not to FOG."),
             line=at,
             color=rounded(found),
         )
@@ -164,7 +164,7 @@ def color(work, solution):
 
 @test(
     _("The sky has the fog's colour"),
-    _("Otherwise what is far stands out against the sky, as if it were cut out of paper."),
+    _("Otherwise far things stand out against the sky, as if cut out of paper."),
     needs=color,
 )
 def sky(work, solution):

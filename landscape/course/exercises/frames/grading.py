@@ -86,8 +86,8 @@ RIMS = (
     (
         one(lambda angle: turned(angle) @ moved(*HUB)),
         _(
-            "As the wheel turns, its hub goes around the middle of the picture: it is moved to HUB "
-            "first, and then turned around the origin. What is called last is applied first."
+            "As the wheel turns, its hub goes around the middle of the picture: it is moved to "
+            "HUB first, and then turned around the origin. The last call applies first."
         ),
     ),
     (
@@ -185,14 +185,15 @@ UPRIGHT = (
         hung(lambda angle, each: -angle),
         _(
             "The first cabin is level, and each of the others is tipped by 45 degrees more: they "
-            "are turned back by the angle of the wheel, but not by that of their place."
+            "are turned back by the angle of the wheel, but not by the angle of their place on "
+            "it."
         ),
     ),
     (
         hung(lambda angle, each: -45 * each),
         _(
-            "All cabins are tipped alike, by the angle of the wheel: they are turned back by that "
-            "of their place alone."
+            "All cabins are tipped alike, by the angle of the wheel: they are turned back only "
+            "by the angle of their place on it."
         ),
     ),
     (
@@ -322,7 +323,7 @@ def on_rim(work, solution):
 
 @test(
     _("The cabins are level"),
-    _("What a frame is turned by must be taken back in it."),
+    _("A rotation of the frame must be undone inside it."),
     needs=on_rim,
 )
 def upright(work, solution):

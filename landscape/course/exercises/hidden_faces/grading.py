@@ -64,23 +64,22 @@ MISTAKES = (  # what is drawn by each, and what is said of it
     (
         sides(lambda *_side: True),
         _(
-            "No face is left out: each cube is drawn with all its six sides. Which of them "
-            "have air "
-            "in front of them, a comparison of SOLID with itself, moved by one, will tell."
+            "No face is left out: each cube is drawn with all six sides. Compare SOLID with "
+            "itself, moved by one, to find the sides that have air in front of them."
         ),
     ),
     (
         sides(lambda *side: not exposed(*side)),
         _(
-            "What is drawn are the faces between two cubes, and only these: the test of what lies "
-            "beside a cube is the wrong way round."
+            "Only the faces between two cubes are drawn: the test of a cube's neighbour is the "
+            "wrong way round."
         ),
     ),
     (
         sides(lambda cube, axis, step: exposed(cube, axis, -step)),
         _(
-            "A cube's side is drawn where there is air on the opposite side of the cube. In which "
-            "direction does np.roll move what it is given, and where does the neighbour come to?"
+            "A cube's side is drawn where there is air on the opposite side of the cube. In "
+            "which direction does np.roll move an array, and where does the neighbour end up?"
         ),
     ),
     *(
@@ -172,9 +171,8 @@ def culled(work, solution):
         if (state["GL_FRONT_FACE"], state["GL_CULL_FACE_MODE"]) != ("GL_CCW", "GL_BACK"):
             return hint(
                 _(
-                    "The back is to be culled, and the front to be the counter-clockwise side, "
-                    "as in "
-                    "the program you started from: only make_faces is to be changed."
+                    "Culling the back, with the counter-clockwise side as the front, must stay "
+                    "as in the program you started from: change only make_faces."
                 )
             )
     return None
@@ -266,7 +264,7 @@ def directions(work, solution):
 
 @test(
     _("Every face that has air in front of it is drawn"),
-    _("What lies beside a cube at the border of the array is outside of it, and is air."),
+    _("Beside a cube at the border of the array there is air."),
     needs=directions,
 )
 def whole(work, solution):
@@ -277,7 +275,7 @@ def whole(work, solution):
         return hint(
             _(
                 "All faces at the border of the array are missing, and all others look into the "
-                "cubes: these are the sides of the air, and not those of the cubes."
+                "cubes: these are the sides of the air, not of the cubes."
             )
         )
 
@@ -292,8 +290,9 @@ def whole(work, solution):
     if missing == WRAPPED:
         return hint(
             _(
-                "Faces are missing at the border of the array, just where there is a cube at the "
-                "opposite border: what np.roll moves out at one end comes in again at the other."
+                "Faces are missing at the border of the array, exactly where there is a cube at "
+                "the opposite border: np.roll brings back at one end what it moves out at the "
+                "other."
             )
         )
 
@@ -335,7 +334,7 @@ def order(work, solution):
     complete = len(wrong) == sum((face[0], outward(face)) in turned for face in EXPOSED)
     if complete and len(turned) == 6:
         return hint(
-            _("All faces are clockwise as seen from outside, so one sees the gate from inside.")
+            _("All faces are clockwise as seen from outside, so you see the gate from inside.")
         )
 
     if complete and len(turned) == 3 and len({axis for axis, _step in turned}) == 3:

@@ -69,8 +69,8 @@ POINTS = (
     (
         columns(lambda x, y, z: (x, y, z, x * 0 - 1)),
         _(
-            "The fourth number is -1, so that all translations go the other way, and what should "
-            "be in front of the camera is behind it."
+            "The fourth number is -1: all translations go the other way, and everything that "
+            "should be in front of the camera is behind it."
         ),
     ),
 )
@@ -106,8 +106,8 @@ MOVES = (
     (
         lambda place: shift(np.negative(place)),
         _(
-            "translation moves everything by the negative of what it is given: the houses are "
-            "behind the camera, and Up walks backward."
+            "translation moves everything the opposite way: the houses are behind the camera, "
+            "and Up walks backward."
         ),
     ),
     (
@@ -194,7 +194,7 @@ DIVIDES = (
         over(lambda x, y, z, w: (x / z, y / z)),
         _(
             "The picture is upside down: it is divided by z, and in front of the camera z is "
-            "negative. The fourth number is what PROJECTION makes to divide by."
+            "negative. Divide by the fourth number: PROJECTION makes it for that."
         ),
     ),
     (
@@ -206,7 +206,7 @@ DIVIDES = (
     ),
     (
         over(lambda x, y, z, w: (x / w, y)),
-        _("x is divided by w, but y is not: what is far away is narrow, and as high as ever."),
+        _("x is divided by w, but y is not: far things are narrow, yet as tall as near ones."),
     ),
     (
         over(lambda x, y, z, w: (x // w, y // w)),
@@ -264,8 +264,8 @@ def points(work, solution):
     if all(np.abs(found(work, number)).max() < 1e-6 for number in FRAMES):
         return hint(
             _(
-                "All lines begin and end in the middle of the picture. Begin with point: what it "
-                "returns is to depend on x, y and z."
+                "All lines begin and end in the middle of the picture. Begin with point: its "
+                "result must depend on x, y and z."
             )
         )
     return told(work, solution, 0)
@@ -273,7 +273,7 @@ def points(work, solution):
 
 @test(
     _("The translation moves points"),
-    _("Its last column holds what is added to x, y and z."),
+    _("Its last column is added to x, y and z."),
     needs=points,
 )
 def moves(work, solution):

@@ -47,12 +47,12 @@ def light(work, solution):
         if near(moved[:3, :3], np.eye(3)) and near(moved[:3, 3], LAMP[:3]):
             return hint(
                 _(
-                    "The table is moved by LAMP as well, as what glTranslatef does holds for all "
-                    "that is drawn later: glPushMatrix and glPopMatrix limit it."
+                    "The table is moved by LAMP as well: glTranslatef affects everything drawn "
+                    "later, unless glPushMatrix and glPopMatrix limit it."
                 )
             )
         if not near(moved, np.eye(4)):
-            return hint(_("The eye is elsewhere than before: only the light is to be changed."))
+            return hint(_("The eye has moved: change only the light."))
     return None
 
 
@@ -167,9 +167,8 @@ def at_the_lamp(work, solution):
         if identity := _left_over(order[set_at : drawn[0]]):
             return hint(
                 _(
-                    "Line {line} is called before glLoadIdentity in line {identity}: what is "
-                    "in the "
-                    "modelview matrix there is left from the frame before."
+                    "Line {line} is called before glLoadIdentity in line {identity}: there the "
+                    "modelview matrix is still the one of the frame before."
                 ),
                 line=line,
                 identity=identity,

@@ -36,7 +36,7 @@ def like(found, direction):
 
 @test(
     _("The ring is drawn, and lit"),
-    _("The normals are to be mended, and not the light."),
+    _("Fix the normals, not the light."),
 )
 def lit(work, solution):
     draws = work.frame(0).draws
@@ -66,8 +66,7 @@ def direction(work, solution):
     if like(found, points):
         return hint(
             _(
-                "The normals point away from the centre of the ring, as those of a ball would; "
-                "they "
+                "The normals point away from the centre of the ring, as a ball's would; they "
                 "must point away from the middle of the tube."
             )
         )

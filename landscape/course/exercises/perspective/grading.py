@@ -78,8 +78,8 @@ def fresh(work, solution):
     chosen = next(iter(work.last.find("glMatrixMode", "GL_PROJECTION")), None)
     return hint(
         _(
-            "glFrustum multiplies the current matrix, which in the second frame is that of the "
-            "first one. glLoadIdentity() is missing {place}."
+            "glFrustum multiplies the current matrix, which in the second frame is still the "
+            "first frame's. glLoadIdentity() is missing {place}."
         ),
         place=between(chosen, made),
     )
@@ -190,7 +190,7 @@ def proportions(work, solution):
 
 
 @test(
-    _("What is between 0.5 and 60 units away is drawn"),
+    _("Everything between 0.5 and 60 units away is drawn"),
     _("The near and the far plane are the last two arguments."),
     needs=proportions,
 )
@@ -201,7 +201,7 @@ def depths(work, solution):
     if near(near_plane, NEAR) and abs(far_plane / FAR - 1) < 0.02:
         return None
     return hint(
-        _("What is between {near:.2f} and {far:.1f} units away is drawn, and not 0.5 to 60."),
+        _("Everything from {near:.2f} to {far:.1f} units away is drawn, not from 0.5 to 60."),
         near=near_plane,
         far=far_plane,
     )

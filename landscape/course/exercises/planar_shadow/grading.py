@@ -159,8 +159,8 @@ def flat(work, solution):
             (
                 flattening(FLOOR, direction),
                 _(
-                    "The matrix of line {line} is that of a light at "
-                    "infinity: the lamp's fourth number is 1."
+                    "The matrix in line {line} is for a light at infinity: the lamp's fourth "
+                    "number is 1."
                 ),
             ),
             (
@@ -208,7 +208,7 @@ def flat(work, solution):
 
 @test(
     _("Only the floor is darkened"),
-    _("The stencil test lets pass what has a 1, which draw_floor has written, and no 0."),
+    _("The stencil test must pass where draw_floor has written a 1, and fail where there is a 0."),
     needs=flat,
 )
 def inside(work, solution):

@@ -80,8 +80,8 @@ def trees(work, solution):
         "trees",
         {
             "GL_POINTS": _(
-                "The trees are nine points: line {line} joins no vertices. What takes three at a "
-                "time, and fills what lies between them?"
+                "The trees are nine points: line {line} joins no vertices. Which mode takes "
+                "three at a time and fills the face between them?"
             ),
             "GL_TRIANGLE_STRIP": _(
                 "The trees are joined: in a strip, line {line}, each vertex makes a triangle with "
@@ -126,7 +126,7 @@ def fence(work, solution):
                 "closed line."
             ),
             "GL_QUAD_STRIP": _(
-                "The fence is a wall: line {line} fills what lies between one picket and the next."
+                "The fence is a wall: line {line} fills the gaps between the pickets."
             ),
             "GL_TRIANGLE_STRIP": _(
                 "The fence is filled: line {line} makes a triangle of each three vertices that "
@@ -266,8 +266,8 @@ def sun(work, solution):
                 "a triangle with the two before it, and not with the middle."
             ),
             "GL_TRIANGLES": _(
-                "Of the sun there is only a part: line {line} takes three vertices for each "
-                "triangle, so that only the first one has the middle."
+                "Only a part of the sun is there: line {line} takes three vertices for each "
+                "triangle, so only the first triangle has the middle."
             ),
             "GL_LINE_LOOP": _("The sun is not filled: line {line} draws its rim."),
             "GL_POLYGON": _(

@@ -95,8 +95,8 @@ TURNS = (
     (
         lambda c, s, x, y: (c * x + s * y, c * y - s * x),
         _(
-            "The picture is mirrored: what lies to the left of the camera is counted as if it were "
-            "to the right."
+            "The picture is mirrored: points to the left of the camera are treated as if they "
+            "were to the right."
         ),
     ),
     (
@@ -124,15 +124,15 @@ TILTS = (
     (
         lambda c, s, ahead, up, x: (c * x + s * up, c * up - s * x),
         _(
-            "If the camera is turned, the tilt goes wrong: it changes what lies ahead of the "
-            "camera, after the turn, and not the way to the east."
+            "If the camera is turned, the tilt goes wrong: after the turn, it must change the "
+            "distance ahead of the camera, not the distance to the east."
         ),
     ),
     (
         "new",
         _(
-            "The tilt changes the height by what lies ahead after the tilt: both numbers are to be "
-            "computed from those before it."
+            "The tilt computes the height from the distance ahead after the tilt: compute both "
+            "numbers from those before it."
         ),
     ),
 )
@@ -165,10 +165,7 @@ PIXELS = (
     (over(plain), None),
     (
         over(lambda a, r, u: (WIDTH / 2 + r, HEIGHT / 2 - u)),
-        _(
-            "What is far away is as large as what is near: it has to be divided by how far it is "
-            "ahead."
-        ),
+        _("Far things are as large as near ones: divide by the distance ahead."),
     ),
     (
         over(by_distance),
@@ -183,7 +180,7 @@ PIXELS = (
     ),
     (
         over(lambda a, r, u: (FOCAL * r / a, -FOCAL * u / a)),
-        _("What lies straight ahead is in the upper left corner, and not in the middle."),
+        _("The point straight ahead is in the upper left corner, not in the middle."),
     ),
     (
         over(plain, always),
@@ -194,7 +191,7 @@ PIXELS = (
     ),
     (
         over(lambda a, r, u: plain(np.abs(a), r, u), lambda a: np.abs(a) >= NEAR),
-        _("What is behind the camera is seen as if it were in front of it."),
+        _("Points behind the camera are seen as if they were in front of it."),
     ),
     (
         over(plain, whole=np.round),
@@ -269,7 +266,7 @@ def told(work, solution, part):
 
 @test(
     _("The camera is at the eye"),
-    _("What is subtracted from all points is the place of the eye."),
+    _("The eye's position is subtracted from all points."),
 )
 def from_eye(work, solution):
     if all((shown(work, number) >= 0).sum() == 1 for number in FRAMES):
@@ -284,7 +281,7 @@ def from_eye(work, solution):
 
 @test(
     _("The camera is turned"),
-    _("Around the vertical; what is ahead and what is to the right are mixed by sine and cosine."),
+    _("Around the vertical: sine and cosine mix the distances ahead and to the right."),
     needs=from_eye,
 )
 def turns(work, solution):
@@ -293,7 +290,7 @@ def turns(work, solution):
 
 @test(
     _("The camera is tilted"),
-    _("Around the axis that leads to its right; what is ahead and what is above are mixed."),
+    _("Around the axis to its right: the distances ahead and above are mixed."),
     needs=turns,
 )
 def tilts(work, solution):

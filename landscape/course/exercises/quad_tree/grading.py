@@ -143,13 +143,13 @@ def all_small(number):
 SEEN = (
     (
         lambda number: painted([(0, 0, MAP)], 0),
-        _("The whole map is drawn: visible has not looked yet what the camera sees of it."),
+        _("The whole map is drawn: visible does not yet ask which part of it the camera sees."),
     ),
     (
         made(dropped=(), at_end=lambda where: True),
         _(
-            "What the camera does not see is drawn as well, in the smallest tiles: OUTSIDE has no "
-            "effect."
+            "Parts that the camera does not see are drawn as well, in the smallest tiles: "
+            "OUTSIDE has no effect."
         ),
     ),
     (
@@ -161,7 +161,7 @@ SEEN = (
     ),
     (
         made(dropped=(OUTSIDE, INSIDE)),
-        _("Only the border of the wedge is drawn: what lies inside of it is left out."),
+        _("Only the border of the wedge is drawn: its inside is left out."),
     ),
     (
         made(at_end=lambda where: False),
@@ -172,14 +172,11 @@ SEEN = (
     ),
     (
         made(kept=(ACROSS,)),
-        _(
-            "The map is drawn as one tile: it is what lies across the border that has to be "
-            "divided."
-        ),
+        _("The map is drawn as one tile: divide the squares that lie across the border."),
     ),
     (
         made(dropped=(OUTSIDE, ACROSS)),
-        _("Nothing is drawn: what lies across the border may hold tiles that are seen."),
+        _("Nothing is drawn: a square across the border may hold visible tiles."),
     ),
     (made(dropped=(OUTSIDE, INSIDE, ACROSS)), _("No tile is returned.")),
 )
@@ -208,13 +205,13 @@ QUARTERS = (
     ),
     (
         made(divide=lambda x, y, size: quarters(x, y, size)[::3]),
-        _("Of each square that is divided only two quarters are treated, those of a diagonal."),
+        _("Only two quarters of each divided square are treated, those on a diagonal."),
     ),
     (
         made(join=lambda lists, begin: begin),
         _(
-            "The quarters are looked at, but no tile of theirs gets into the picture: what visible "
-            "returns for them has to be added up."
+            "The quarters are looked at, but none of their tiles gets into the picture: add up "
+            "what visible returns for them."
         ),
     ),
     (
@@ -232,7 +229,7 @@ QUARTERS = (
 OF_SIZES = (
     (
         made(kept=(), at_end=lambda where: where != OUTSIDE),
-        _("All tiles have the smallest size: what is INSIDE need not be divided any more."),
+        _("All tiles have the smallest size: a square that is INSIDE need not be divided."),
     ),
     (
         made(smallest=2 * SMALLEST),
@@ -292,7 +289,7 @@ RIGHT = made()
 
 
 @test(
-    _("What the camera sees is drawn, and nothing else"),
+    _("Exactly the part that the camera sees is drawn"),
     _("Squares outside are dropped, those inside are tiles, and those across are divided."),
 )
 def seen(work, solution):
@@ -317,7 +314,7 @@ def seen(work, solution):
 
 @test(
     _("Squares are divided into four quarters"),
-    _("The tiles of all four together are those of the square."),
+    _("The tiles of all four quarters together are the tiles of the square."),
     needs=seen,
 )
 def divided(work, solution):

@@ -57,7 +57,7 @@ def same(color, wanted):
 
 @test(
     _("The maze is drawn twice"),
-    _("Once as one sees it from the entrance, and once as a map."),
+    _("Once as seen from the entrance, and once as a map."),
 )
 def twice(work, solution):
     for number in FRAMES:
@@ -158,10 +158,9 @@ def projection(work, solution):
         if np.abs(matrix[:2, 1]).max() > NEAR:
             return hint(
                 _(
-                    "The map does not look straight down: of a wall one sees its side as well. A "
-                    "rotation by 90 degrees about the x axis lets one look down, if no other "
-                    "is left "
-                    "in the modelview matrix."
+                    "The map does not look straight down: the sides of walls are visible. A "
+                    "rotation by 90 degrees about the x axis looks down, if no other is left in "
+                    "the modelview matrix."
                 )
             )
         across = matrix[:2, [0, 2]] * 6
@@ -191,7 +190,7 @@ def projection(work, solution):
         if np.abs(matrix[:2, 3]).max() > NEAR:
             return hint(_("The middle of the maze is not in the middle of the map."))
         if matrix[2, 1] > 0:
-            return hint(_("The map is seen from below: what is lower hides what is higher."))
+            return hint(_("The map is seen from below: lower things hide higher ones."))
         heights = matrix[2, 1] * np.array((0, 1)) + matrix[2, 3]
         if np.abs(heights).max() > 1 + 1e-4:
             return hint(
@@ -250,8 +249,8 @@ def cleared(work, solution):
         if "DEPTH" not in bits:
             return hint(
                 _(
-                    "glClear in line {line} does not clear the depths: those of the large picture "
-                    "can hide a part of the map."
+                    "glClear in line {line} does not clear the depths: the large picture's "
+                    "depths can hide a part of the map."
                 ),
                 **values,
             )
@@ -266,7 +265,10 @@ def cleared(work, solution):
 
 @test(
     _("After the map all is as before"),
-    _("What the map has changed holds for the frame around the window, and for the next picture."),
+    _(
+        "Whatever the map has changed still holds for the frame around the window and for "
+        "the next picture."
+    ),
     needs=cleared,
 )
 def restored(work, solution):

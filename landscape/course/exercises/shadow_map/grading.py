@@ -101,9 +101,8 @@ def copied(work, solution):
         if len(boxes(work, number)) <= 2 * COUNT and not copies(work, number):
             return hint(
                 _(
-                    "In frame {frame} the scene is drawn only for the camera. What draws it "
-                    "for the "
-                    "lamp is missing {place}."
+                    "In frame {frame} the scene is drawn only for the camera. The call that "
+                    "draws it for the lamp is missing {place}."
                 ),
                 frame=number,
                 place=between(clear[0] if clear else None, first_lit(work, number)),
@@ -205,7 +204,7 @@ def seen(work, solution):
             return hint(
                 _(
                     "While the scene is drawn for the lamp, the viewport has {width} x {height} "
-                    "pixels; what is copied is only a part of the lamp's picture."
+                    "pixels; only a part of the lamp's picture is copied."
                 ),
                 width=viewport[2],
                 height=viewport[3],
@@ -269,7 +268,10 @@ def compared(work, solution):
     functions = work.find("glTexParameter", None, "GL_TEXTURE_COMPARE_FUNC")
     if functions and functions[-1].args[-1] not in ("GL_LEQUAL", "GL_LESS"):
         return hint(
-            _("Line {line} compares by {function}: what the lamp sees gets 0, and is dark."),
+            _(
+                "Line {line} compares by {function}: surfaces that the lamp sees get 0, "
+                "and are dark."
+            ),
             line=functions[-1].line,
             function=functions[-1].args[-1],
         )
@@ -409,8 +411,8 @@ def restored(work, solution):
         if not any("DEPTH" in str(call.args) for call in cleared):
             return hint(
                 _(
-                    "When draw_lit begins, the depth buffer still holds the lamp's depths. What "
-                    "clears it is missing {place}."
+                    "When draw_lit begins, the depth buffer still holds the lamp's depths. The "
+                    "call that clears it is missing {place}."
                 ),
                 place=between(last, first_lit(work, number)),
             )

@@ -103,7 +103,7 @@ def cleared(work, number):
 
 @test(
     _("The glass is drawn before the image, too"),
-    _("The stencil buffer is written by drawing: what marks the mirror is the mirror itself."),
+    _("The stencil buffer is written by drawing: draw the mirror itself to mark it."),
 )
 def drawn(work, solution):
     for number in FRAMES:
@@ -130,7 +130,7 @@ def drawn(work, solution):
 
 @test(
     _("The glass marks its pixels"),
-    _("glStencilFunc says with what and where, glStencilOp what is written."),
+    _("glStencilFunc gives the value and the test, glStencilOp what to write."),
     needs=drawn,
 )
 def marked(work, solution):
@@ -159,16 +159,15 @@ def marked(work, solution):
             if state["GL_STENCIL_PASS_DEPTH_PASS"] == "GL_REPLACE":
                 return hint(
                     _(
-                        "glStencilFunc gives {value} to be written, which is what the stencil "
-                        "buffer "
-                        "holds anyway."
+                        "glStencilFunc gives {value} to be written, the value that the stencil "
+                        "buffer holds anyway."
                     ),
                     value=before,
                 )
             return hint(
                 _(
-                    "Where the glass is drawn, the stencil buffer keeps what it holds: where tests "
-                    "are passed, glStencilOp is to say something else than GL_KEEP."
+                    "The stencil buffer keeps its value where the glass is drawn: for passed "
+                    "tests, glStencilOp must say something other than GL_KEEP."
                 )
             )
 
@@ -235,8 +234,8 @@ def inside(work, solution):
             if not state["GL_DEPTH_WRITEMASK"]:
                 return hint(
                     _(
-                        "While the image is drawn, no depth is written: what is behind hides what "
-                        "is in front, by the order of drawing."
+                        "While the image is drawn, no depth is written: later things cover "
+                        "earlier ones even where they are farther away."
                     )
                 )
             in_glass, beside = passes(state, mark), passes(state, before)
@@ -269,8 +268,9 @@ def inside(work, solution):
             if written(state, mark) != mark:
                 return hint(
                     _(
-                        "The image changes the marks that it is to respect: what is drawn first is "
-                        "left, and the rest fails. See glStencilOp in line {line}."
+                        "The image changes the marks that it should respect: the first thing "
+                        "drawn stays, and the rest fails the test. See glStencilOp in line "
+                        "{line}."
                     ),
                     line=line(work, number, "glStencilOp", draw),
                 )
@@ -289,8 +289,9 @@ def fresh(work, solution):
             clear, first = work.frame(number).find("glClear"), marks(work, number)[0]
             return hint(
                 _(
-                    "The stencil buffer is not cleared before the glass marks it: when one goes "
-                    "round, the old marks are still there. What clears it may stand {place}."
+                    "The stencil buffer is not cleared before the glass marks it: when the eye "
+                    "moves, the old marks are still there. The call that clears it may stand "
+                    "{place}."
                 ),
                 place=between(clear[0] if clear else None, first),
             )
@@ -298,7 +299,7 @@ def fresh(work, solution):
 
 
 @test(
-    _("What is drawn later is drawn as before"),
+    _("Everything drawn later is drawn as before"),
     _("Stencil test, masks and matrix are as they were."),
     needs=fresh,
 )

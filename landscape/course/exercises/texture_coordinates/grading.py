@@ -132,9 +132,8 @@ def upright(work, solution):
     if late := after_its_vertex(work):
         return hint(
             _(
-                "glTexCoord in line {line} comes after its glVertex, which has taken the "
-                "coordinates "
-                "that were current before: those of the corner before it."
+                "glTexCoord in line {line} comes after its glVertex, which has already taken the "
+                "current coordinates: those of the previous corner."
             ),
             line=late.line,
         )
@@ -202,8 +201,8 @@ def three(work, solution):
     if len(found) > 1 and np.ptp(lefts) < NEAR:
         return hint(
             _(
-                "The wall is drawn {count} times in the same place: each shows what the one before "
-                "it shows."
+                "The wall is drawn {count} times in the same place: each shows the same as the "
+                "one before it."
             ),
             count=len(found),
         )
@@ -230,8 +229,8 @@ def three(work, solution):
     if abs(along - 1 / 3) < NEAR:
         return hint(
             _(
-                "Only a third of the picture is to be seen: to repeat it three times, s goes to 3, "
-                "and not to 1/3."
+                "Only a third of the picture is visible: to repeat it three times, s must go to "
+                "3, not to 1/3."
             )
         )
 
@@ -250,7 +249,7 @@ def three(work, solution):
 
 @test(
     _("The texture is repeated"),
-    _("Beyond 1, GL_TEXTURE_WRAP_S decides what is drawn."),
+    _("Beyond 1, GL_TEXTURE_WRAP_S decides."),
     needs=three,
 )
 def repeated(work, solution):
@@ -340,8 +339,8 @@ def picture(work, solution):
     if compare(work, solution, box=WALL):
         return hint(
             _(
-                "The coordinates are right, but not what they show: the image must be loaded as it "
-                "was, with the same rows and filters."
+                "The coordinates are right, but the image is not: load it as before, with the "
+                "same rows and filters."
             )
         )
 

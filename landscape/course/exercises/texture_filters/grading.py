@@ -175,8 +175,8 @@ def sign(work, solution):
             )
         return hint(
             _(
-                "The arrow is blurred: only the filter for what is made smaller is set, and the "
-                "other one begins with GL_LINEAR."
+                "The arrow is blurred: only the filter for shrinking is set, and the other one "
+                "starts as GL_LINEAR."
             )
         )
 
@@ -197,8 +197,8 @@ def sky(work, solution):
     if texture.levels.count(0) > 1:
         return hint(
             _(
-                "The window shows another image than its own: two images have been loaded into its "
-                "texture. Which one is bound in make_floor?"
+                "The window shows the wrong image: two images have been loaded into its texture. "
+                "Which one is bound in make_floor?"
             )
         )
 

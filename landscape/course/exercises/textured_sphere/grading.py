@@ -205,7 +205,7 @@ def east(work, solution):
     shift = (s - wanted)[0] % 1
     if turns(s, wanted + shift) and shift > NEAR:
         return hint(
-            _("The map is turned by {part:.2f} of a whole turn: s is to be 0 in column 0."),
+            _("The map is turned by {part:.2f} of a whole turn: s must be 0 in column 0."),
             part=min(shift, 1 - shift),
         )
 

@@ -48,7 +48,10 @@ def line_of(work, ball):
 
 @test(
     _("The sun stays in the middle"),
-    _("What moves the planet and the moon must not move the sun, in later frames neither."),
+    _(
+        "The transforms that move the planet and the moon must not move the sun, not even "
+        "in later frames."
+    ),
 )
 def sun(work, solution):
     for number in FRAMES:

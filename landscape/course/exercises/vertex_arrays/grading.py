@@ -186,7 +186,7 @@ def described(work, solution):
         if np.abs(lengths - 1).max() > 0.05:
             return hint(
                 _(
-                    "The array of line {line} is not that of the normals: what it holds is not of "
+                    "The array in line {line} does not hold the normals: its vectors are not of "
                     "length 1."
                 ),
                 line=line(work, "glNormalPointer"),
@@ -206,7 +206,7 @@ def described(work, solution):
 
 @test(
     _("Every triangle is drawn"),
-    _("The count is that of the indices: three for each triangle."),
+    _("The count is the number of indices: three for each triangle."),
     needs=described,
 )
 def whole(work, solution):
@@ -216,7 +216,7 @@ def whole(work, solution):
     mode = call.args[0]
     if mode not in ("GL_TRIANGLES", "GL_TRIANGLE_STRIP"):
         return hint(
-            _("Line {line} draws {mode}; the indices are those of triangles."),
+            _("Line {line} draws {mode}, but the indices are for triangles."),
             line=call.line,
             mode=mode,
         )
@@ -251,8 +251,8 @@ def whole(work, solution):
     if count == TRIANGLES:
         return hint(
             _(
-                "The count of line {line} is {count}: so many triangles there are, but indices are "
-                "counted, three for each. TRIANGLES.size is all of them."
+                "The count of line {line} is {count}: that is the number of triangles, but the "
+                "count is of indices, three for each. TRIANGLES.size is all of them."
             ),
             line=call.line,
             count=count,
@@ -284,7 +284,7 @@ def regions(solution, number):
     height, width = solution.frame(number).picture.shape[:2]
     draws = solution.frame(number).draws
     vase = covered([d for d in draws if d.call.name != "glBegin"], height, width)
-    return {_("the vase"): vase, _("the table, and what is behind it"): ~vase}
+    return {_("the vase"): vase, _("the table and the background"): ~vase}
 
 
 @test(

@@ -92,7 +92,7 @@ def main():
     glClearColor(0.13, 0.16, 0.21, 1)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL):
         glEnable(capability)
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE)  # one sees into the vase
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE)  # you see into the vase
     glLightfv(GL_LIGHT0, GL_POSITION, (-2, 3, 3, 0))
 
     while not glfw.window_should_close(window):

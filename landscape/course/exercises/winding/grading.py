@@ -99,8 +99,8 @@ def front(work, solution):
         if not all(clockwise):
             return hint(
                 _(
-                    "Line {line} makes the clockwise side the front for some faces. That hides the "
-                    "mistake: the order of their vertices in FACES is to be mended."
+                    "Line {line} makes the clockwise side the front for some faces. That hides "
+                    "the mistake: fix the order of their vertices in FACES."
                 ),
                 line=line,
             )
@@ -117,8 +117,8 @@ def front(work, solution):
         line = work.find("glCullFace")[-1].line
         return hint(
             _(
-                "glCullFace({mode}) in line {line} leaves out other faces than those that look "
-                "away: one sees the gem from inside, or not at all."
+                "glCullFace({mode}) in line {line} leaves out the wrong faces: you see the gem "
+                "from inside, or not at all."
             ),
             mode=state["GL_CULL_FACE_MODE"],
             line=line,
@@ -159,8 +159,8 @@ def twelve(work, solution):
     if len(found) < 12:
         return hint(
             _(
-                "Only {count} triangles are drawn: a face with the wrong order is to be turned "
-                "round, and not left out."
+                "Only {count} triangles are drawn: turn a face with the wrong order round; do "
+                "not leave it out."
             ),
             count=len(found),
         )

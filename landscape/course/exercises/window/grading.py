@@ -63,7 +63,7 @@ def first_draw(work):
 
 @test(
     _("The whole window is filled, before anything else is drawn"),
-    _("A window holds what has been drawn into it before, until it is filled."),
+    _("A window keeps its old picture until it is filled."),
 )
 def filled(work, solution):
     if compare(work, solution) is None:
@@ -74,7 +74,7 @@ def filled(work, solution):
         return hint(
             _(
                 "The picture is nothing but sky: the moon and the street are drawn, and then the "
-                "window is filled. What is filled first, and what is drawn after it?"
+                "window is filled. Which must come first, filling or drawing?"
             )
         )
 
@@ -99,8 +99,8 @@ def filled(work, solution):
         if colors := work.find("glClearColor"):
             return hint(
                 _(
-                    "Line {line} says with which colour the window is to be filled, but nothing "
-                    "fills it yet: the sky is black."
+                    "Line {line} chooses the colour to fill the window with, but nothing fills "
+                    "it yet: the sky is black."
                 ),
                 line=colors[-1].line,
             )
@@ -187,13 +187,13 @@ WITH_KEYS = (
     ),
     (
         filled_with(lights(actions=("press",))),
-        _("A key that is held has no more effect than one that is touched: what is `action` then?"),
+        _("Holding a key has no more effect than touching it: what is `action` then?"),
     ),
     (
         filled_with(lights(lambda light: 0.6, lambda light: 0.4)),
         _(
-            "The sky knows only two more colours, one for Up and one for Down: the step has to be "
-            "added to what `light` is."
+            "The sky knows only two more colours, one for Up and one for Down: add the step to "
+            "the current value of `light`."
         ),
     ),
 )
@@ -236,8 +236,8 @@ WITH_LIMITS = (
             lights(lambda light: light + 0.1 * (light < 1), lambda light: light - 0.1 * (light > 0))
         ),
         _(
-            "`light` goes one step beyond the limit. Ten times 0.1 is a little less than 1 for a "
-            "computer: so test the sum, not what it was before."
+            "`light` goes one step beyond the limit. For a computer ten times 0.1 is a little "
+            "less than 1: so test the sum, not the value before it."
         ),
     ),
 )
@@ -305,7 +305,7 @@ def limits(work, solution):
 
 @test(
     _("The picture is right"),
-    _("With several keys, and in a window that is higher than wide."),
+    _("With several keys, and in a window that is taller than wide."),
     needs=limits,
 )
 def picture(work, solution):

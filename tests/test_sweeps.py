@@ -1,0 +1,41 @@
+"""What a run leaves out of a sweep: each case has its day."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from conftest import not_today
+
+
+def case(test: str, number: int, marker: Any) -> Any:
+    return SimpleNamespace(nodeid=f"{test}[{number}]", get_closest_marker=lambda name: marker)
+
+
+def cases(test: str, count: int, every: int, first: int = 0) -> list[Any]:
+    marker = pytest.mark.sweep(every, first=first).mark
+    return [case(test, number, marker) for number in range(count)]
+
+
+def left(items: list[Any], day: int) -> list[str]:
+    rest = not_today(items, day)
+    return [item.nodeid for item in items if item not in rest]
+
+
+@pytest.mark.parametrize(("count", "every"), [(9, 3), (10, 4), (2, 8), (1, 3)])
+def test_each_case_of_a_sweep_has_run_after_as_many_days(count: int, every: int) -> None:
+    items = cases("test_one", count, every)
+    days = [left(items, day) for day in range(every)]
+    assert all(days)
+    assert {each for day in days for each in day} == {item.nodeid for item in items}
+
+
+def test_sweeps_through_one_list_take_other_cases_of_it_on_each_day() -> None:
+    items = cases("test_one", 6, 2) + cases("test_other", 6, 2, first=1)
+    for day in range(4):
+        numbers = [name.partition("[")[2] for name in left(items, day)]
+        assert sorted(numbers) == [f"{number}]" for number in range(6)]
+
+
+def test_other_tests_always_run() -> None:
+    items = [case("test_plain", number, None) for number in range(3)]
+    assert not_today(items, 5) == []
