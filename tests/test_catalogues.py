@@ -1,11 +1,12 @@
 """The texts that users see, in their languages, and the script that checks the translations."""
 
 import os
+import runpy
 import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import ModuleType
 
@@ -50,9 +51,37 @@ def test_a_reader_that_closes_the_pipe_sees_no_traceback() -> None:
     assert (done.returncode, done.stderr) == (-signal.SIGPIPE, b"")
 
 
-def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_path: Path) -> None:
-    for package in PACKAGES:
-        shutil.copytree(package.locale, tmp_path, dirs_exist_ok=True)
+@pytest.fixture
+def run_here(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Callable[..., Done]:
+    """Runs scripts/catalogues in this process, with the domains window and film alone."""
+    monkeypatch.syspath_prepend(str(SCRIPT))
+    import domains
+
+    few = {name: domains.DOMAINS[name] for name in ("window", "film")}
+    monkeypatch.setattr(domains, "DOMAINS", few)
+
+    def run_once(*words: str) -> Done:
+        monkeypatch.setattr(sys, "argv", [str(SCRIPT), *words])
+        status: object = 0
+        try:
+            runpy.run_path(str(SCRIPT / "__main__.py"), None, "__main__")
+        except SystemExit as end:
+            status = end.code
+        seen = capsys.readouterr()
+        said = f"{status}\n" if isinstance(status, str) else ""
+        return Done(1 if said else int(str(status)), seen.out, seen.err + said)
+
+    return run_once
+
+
+def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(
+    tmp_path: Path, run_here: Callable[..., Done]
+) -> None:
+    (tmp_path / "fr").mkdir()
+    for name in ("window", "film"):
+        shutil.copy(PACKAGES[-1].locale / "fr" / f"{name}.po", tmp_path / "fr")
     path = tmp_path / "fr" / "window.po"
     whole = path.read_text(encoding="utf-8")
     entry = f"#: landscape/walk/words.py\n{FOG}"
@@ -60,7 +89,7 @@ def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_
     path.write_text(stale + whole.replace(entry, ""), encoding="utf-8")
     (tmp_path / "fr" / "none.po").write_text(HEAD)
 
-    done = run("check", "--locale", str(tmp_path))
+    done = run_here("check", "--locale", str(tmp_path))
     missing = f"{path}: missing: 'fog', from landscape/walk/words.py"
     stranger = f"{path.with_name('none.po')}: stale: no texts belong to it"
     assert (done.status, done.out.splitlines()) == (
@@ -68,7 +97,7 @@ def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_
         [missing, f"{path}: stale: 'haze'", stranger],
     )
 
-    done = run("update", "--locale", str(tmp_path))
+    done = run_here("update", "--locale", str(tmp_path))
     removed = f"{path}: removed: 'haze': 'brouillard'"
     untranslated = f"{path}: untranslated: 'fog'"
     assert (done.status, done.out.splitlines()) == (0, [removed, untranslated, stranger])
@@ -76,7 +105,7 @@ def test_the_check_fails_on_a_fault_and_an_update_adds_only_what_is_missing(tmp_
     assert left == whole.replace(entry, entry.replace("brouillard", ""))
 
     path.write_text("msgtext\n")
-    done = run("update", "--locale", str(tmp_path))
+    done = run_here("update", "--locale", str(tmp_path))
     assert done.status == 1 and done.err.startswith(f"catalogues: {path}: not a catalogue: ")
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import chessboard_scene
 import pytest
 from commands import Shell
+from folded import each
 
 import landscape
 from landscape.elements.settings import Settings
@@ -24,7 +25,7 @@ def why(key: str, preset: str = "best", shown: tuple[str, ...] = ELEMENTS, **cha
     return ignored(ISLAND.values(preset, given), key, shown, ELEMENTS)
 
 
-@pytest.mark.parametrize("key", KEYS)
+@each("key", KEYS)
 def test_conditions_name_existing_settings_elements_or_the_walk(key: str) -> None:
     for condition in conditions(Settings, key):
         assert in_words(Settings, condition)

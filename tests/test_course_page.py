@@ -2,7 +2,7 @@
 
 import re
 
-import pytest
+from folded import each
 from register import ROOT
 
 from landscape.course import ladder
@@ -38,7 +38,7 @@ def test_every_heading_has_a_row_in_the_order_of_the_text() -> None:
         assert after[-1] == (before[len(after) - 1] + 1 if len(before) >= len(after) else 1)
 
 
-@pytest.mark.parametrize("row", rows(), ids=lambda row: row[0])
+@each("row", rows(), ids=lambda row: row[0])
 def test_a_heading_names_a_lesson_or_a_page_and_all_that_it_names_exists(row: list[str]) -> None:
     _, heading, lessons, beside = row
     assert heading and names(lessons) + names(beside)

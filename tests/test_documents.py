@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from commands import Shell
+from folded import each
 from register import ROOT, STATES, Row, distinct_commands, quick, rows
 
 from framelens.base.errors import InputError
@@ -31,7 +32,7 @@ def shown(row: Row) -> str:
     return f"{row.document}-{row.number}"
 
 
-each_row = pytest.mark.parametrize("row", ALL, ids=shown)
+every_row = each("row", ALL, ids=shown)
 
 
 def test_every_item_of_the_documents_has_a_row() -> None:
@@ -43,7 +44,7 @@ def test_every_item_of_the_documents_has_a_row() -> None:
             assert numbers == [*range(1, count + 1)]
 
 
-@each_row
+@every_row
 def test_a_row_says_where_the_item_is_or_why_it_is_not_there(row: Row) -> None:
     assert row.state in STATES
     assert row.section and row.stated
@@ -137,7 +138,7 @@ CHECKS = {
 }
 
 
-@each_row
+@every_row
 def test_a_command_parses_and_names_only_what_exists(row: Row) -> None:
     if not row.words:
         assert row.command == "-", f"expected one `landscape ...` or -, not {row.command}"

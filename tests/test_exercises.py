@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from folded import each
 
 from landscape.commands.exercise_check import as_json, as_text
 from landscape.course.exercise import HOLE, NAMES, Grader, Report, exercise, start
@@ -164,7 +165,7 @@ def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
     assert f": {region}. " in hints(report)[0].written(str)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@each("name", NAMES)
 def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> None:
     found = exercise(name)
     assert len(found.title) < 70 and not found.title.endswith(".") and found.task

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from commands import landscape
+from folded import each
 from PIL import Image
 
 from framelens.base.errors import InputError
@@ -53,7 +54,7 @@ def test_panels_are_chosen_by_figure_panel_or_fix() -> None:
             names(wrong)
 
 
-@pytest.mark.parametrize("fix", FIXES, ids=lambda fix: fix.name)
+@each("fix", FIXES, ids=lambda fix: fix.name)
 def test_every_pair_differs_in_settings_and_2006_has_those_of_its_before(fix) -> None:
     assert fix.off.keys() <= fix.on.keys() and dict(fix.off) != dict(fix.on)
     before = preset("2006")
@@ -63,7 +64,7 @@ def test_every_pair_differs_in_settings_and_2006_has_those_of_its_before(fix) ->
     assert with_settings(before, fix.settings(True)) != with_settings(before, fix.settings(False))
 
 
-@pytest.mark.parametrize("fix", FIXES, ids=lambda fix: fix.name)
+@each("fix", FIXES, ids=lambda fix: fix.name)
 def test_every_pair_uses_current_setting_names(fix) -> None:
     for after in (False, True):
         assert fix.settings(after).keys() <= declare.fields(Settings).keys()
@@ -75,7 +76,7 @@ def test_there_is_a_pair_for_each_improvement_of_the_report() -> None:
     }
 
 
-@pytest.mark.parametrize("fix", FIXES, ids=lambda fix: fix.name)
+@each("fix", FIXES, ids=lambda fix: fix.name)
 def test_a_printed_command_has_the_settings_of_its_picture(fix) -> None:
     for panel, after in zip(named_panels([fix.name]), (False, True), strict=True):
         words = shlex.split(panel.command)

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from folded import each
 from stage import SIZE, Stage
 
 from landscape.files.assets import Assets
@@ -50,7 +51,7 @@ def test_a_safeguard_s_two_pictures_differ(
     assert (np.abs(before - after).max(axis=2) > 15).sum() > LEAST
 
 
-@pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
+@each("safeguard", SAFEGUARDS, ids=lambda pair: pair.name)
 def test_a_safeguard_s_name_is_a_view_with_it(safeguard: Safeguard) -> None:
     kind, view = find_view(safeguard.name)
     assert kind is SCENE and view.pose == safeguard.pose(True)
@@ -78,7 +79,7 @@ def test_every_safeguard_of_mirror_and_shadow_has_a_pair() -> None:
     }
 
 
-@pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
+@each("safeguard", SAFEGUARDS, ids=lambda pair: pair.name)
 def test_who_goes_to_a_safeguard_sees_its_picture_or_stands_where_one_can(
     safeguard: Safeguard,
 ) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 import pictures
 import pytest
 from commands import TESTS, Shell, environment, landscape, refused
+from folded import each
 from PIL import Image
 from starting import Starter
 from test_window import screen, xdotool
@@ -40,6 +41,7 @@ SYMBOLS = {
 }
 PRESSED = [name for name in NAMES if lesson(name).pressed]  # keys, before the picture
 each_lesson = pytest.mark.parametrize("name", NAMES)
+all_lessons = each("name", NAMES)
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +64,7 @@ def test_the_ladder_holds_every_file_and_each_topic_has_a_title() -> None:
     assert list(LADDER) == list(TOPICS)
 
 
-@each_lesson
+@all_lessons
 def test_a_lesson_is_tagged_and_builds_on_those_before_it(name: str) -> None:
     found = lesson(name)
     source = found.file.read_text(encoding="utf-8")
@@ -103,7 +105,7 @@ TAUGHT = {
 """The first lesson that may use a call or a capability: what its page is about."""
 
 
-@each_lesson
+@all_lessons
 def test_a_lesson_uses_nothing_that_a_later_one_teaches(name: str) -> None:
     if name == HELPER:
         return
@@ -114,7 +116,7 @@ def test_a_lesson_uses_nothing_that_a_later_one_teaches(name: str) -> None:
     assert [call for call, where in early.items() if NAMES.index(where) > place] == []
 
 
-@each_lesson
+@all_lessons
 def test_a_lesson_names_only_keys_that_qwerty_and_azerty_have_in_one_place(name: str) -> None:
     used = set(re.findall(r"glfw\.KEY_(\w+)", lesson(name).file.read_text(encoding="utf-8")))
     assert not used & set("AQWZM")
@@ -123,7 +125,7 @@ def test_a_lesson_names_only_keys_that_qwerty_and_azerty_have_in_one_place(name:
     assert named - used <= set("123456789") and used - named <= {"ESCAPE"}
 
 
-@each_lesson
+@all_lessons
 def test_every_text_that_a_lesson_writes_can_be_translated(name: str) -> None:
     tree = ast.parse(lesson(name).file.read_text(encoding="utf-8"))
     assigned = {ast.unparse(n.targets[0]) for n in ast.walk(tree) if isinstance(n, ast.Assign)}
@@ -135,7 +137,7 @@ def test_every_text_that_a_lesson_writes_can_be_translated(name: str) -> None:
             assert not isinstance(text, ast.JoinedStr), ast.unparse(node)
 
 
-@each_lesson
+@all_lessons
 def test_a_page_has_its_four_sections_and_answers_its_questions(name: str) -> None:
     blocks = page(lesson(name))
     assert tuple(b.text for b in blocks if b.is_heading) == SECTIONS

@@ -10,7 +10,7 @@ import importlib.util
 import re
 from pathlib import Path
 
-import pytest
+from folded import each
 
 ROOT = Path(__file__).resolve().parents[1]
 LIST = ROOT / "shaders_none" / "forbidden.txt"
@@ -115,7 +115,7 @@ def test_every_extension_in_the_rules_exists() -> None:
     assert set(MODULES) <= modules
 
 
-@pytest.mark.parametrize(
+@each(
     "name",
     [
         *("glCreateShader", "glShaderSource", "glCompileShader", "glAttachShader"),
@@ -134,7 +134,7 @@ def test_the_list_contains(name: str) -> None:
     assert name in listed()
 
 
-@pytest.mark.parametrize(
+@each(
     "name",
     [
         *("glTexEnvi", "glActiveTexture", "glFogf", "glLightfv", "glTexGeni", "glClipPlane"),

@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
+from folded import each
 
 from framelens.base.errors import InputError
 from landscape.elements import settings
@@ -19,7 +20,7 @@ def changed(key: str, value: object) -> declare.Value:
     return get(with_settings(Settings(), {key: value}), key)
 
 
-@pytest.mark.parametrize("key", KEYS)
+@each("key", KEYS)
 def test_every_default_is_within_its_own_limits_and_survives_being_written(key: str) -> None:
     default = KEYS[key].default
     assert changed(key, default) == default
@@ -28,7 +29,7 @@ def test_every_default_is_within_its_own_limits_and_survives_being_written(key: 
     assert type(changed(key, text)) is type(default)
 
 
-@pytest.mark.parametrize("key", KEYS)
+@each("key", KEYS)
 def test_every_key_says_what_it_does_its_unit_and_its_source(key: str) -> None:
     meta = KEYS[key].metadata
     assert len(meta["does"].split()) > 1 and declare.unit(KEYS[key])
@@ -39,7 +40,7 @@ def test_every_key_says_what_it_does_its_unit_and_its_source(key: str) -> None:
     assert declare.expected(KEYS[key])
 
 
-@pytest.mark.parametrize("key", NUMBERS)
+@each("key", NUMBERS)
 def test_every_number_is_accepted_at_its_limits_and_refused_beyond(key: str) -> None:
     low, high = KEYS[key].metadata["low"], KEYS[key].metadata["high"]
     assert [changed(key, low), changed(key, high)] == [low, high] and low < high
@@ -154,7 +155,7 @@ SECTIONS = {
 }
 
 
-@pytest.mark.parametrize("key", KEYS)
+@each("key", KEYS)
 def test_a_setting_names_a_section_that_the_document_has(key: str) -> None:
     for cited in re.findall(r"section ([\d.]+)", KEYS[key].metadata["source"]):
         assert any(each == cited or each.startswith(cited + ".") for each in SECTIONS), key

@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 from conftest import not_today
+from folded import each
 
 
 def case(test: str, number: int, marker: Any) -> Any:
@@ -39,3 +40,16 @@ def test_sweeps_through_one_list_take_other_cases_of_it_on_each_day() -> None:
 def test_other_tests_always_run() -> None:
     items = [case("test_plain", number, None) for number in range(3)]
     assert not_today(items, 5) == []
+
+
+def test_a_folded_test_lists_every_case_that_fails() -> None:
+    @each("number", [1, 2, 3, 4], ids=lambda number: f"case {number}")
+    def only_even(number: int, wanted: int) -> None:
+        assert number % 2 == wanted
+
+    with pytest.raises(AssertionError, match="2 of 4 failed") as caught:
+        only_even(wanted=0)
+    said = str(caught.value)
+    assert "case 1: " in said and "case 3: " in said and "case 2" not in said
+    with pytest.raises(AssertionError, match="no case"):
+        each("number", [])(only_even)()

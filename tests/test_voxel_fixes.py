@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from folded import each
 from stage import SIZE, Stage
 
 from landscape.files.assets import Assets
@@ -57,7 +58,7 @@ def test_a_safeguard_s_two_pictures_differ(
     assert (np.abs(before - after).max(axis=2) > 15).sum() > LEAST
 
 
-@pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
+@each("safeguard", SAFEGUARDS, ids=lambda pair: pair.name)
 def test_a_safeguard_s_name_is_a_view_with_it(safeguard: Safeguard) -> None:
     kind, view = find_view(safeguard.name)
     assert kind is SCENE and view.pose == safeguard.pose(True)
