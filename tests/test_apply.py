@@ -112,7 +112,7 @@ def test_every_group_of_settings_is_changed() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("groups", TOGETHER, ids=", ".join)
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(10)
 def test_what_is_taken_is_drawn_as_if_built_so_and_the_rest_is_refused(
     stage: Stage, base: Settings, opened: Island, groups: tuple[str, ...]
 ) -> None:

@@ -83,7 +83,7 @@ def shown(kind: Scene) -> tuple[str, ...]:
     [(place, groups) for place, lines in TOGETHER.items() for groups in lines],
     indirect=["kind"],
 )
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(6)
 def test_what_is_applied_looks_as_if_opened_so(
     stage: Stage, kind: Scene, opened: OpenScene, groups: tuple[str, ...]
 ) -> None:

@@ -155,7 +155,7 @@ def test_an_unknown_view_is_bad_input_from_python() -> None:
 
 @pytest.mark.parametrize("preset", ["best", "2006"])
 @pytest.mark.parametrize("name", ["fig35a", "fig35f", "fig35i"])
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(6)
 def test_the_replay_draws_the_same_picture_as_the_frame(
     stage: Stage, name: str, preset: str
 ) -> None:

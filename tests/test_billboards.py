@@ -311,6 +311,7 @@ def test_a_bad_file_is_refused_with_its_line(tmp_path: Path, text: str, message:
 
 
 @pytest.mark.parametrize("preset", ["2006", "best"])
+@pytest.mark.sweep(2)
 def test_an_island_with_saved_places_looks_as_before(tmp_path: Path, preset: str) -> None:
     few = ["--set", "trees.count=120", "--set", "plants.count=150", "--set", "deer.count=20"]
     few += ["--preset", preset, "--set", "ground.resolution=50", "--set", "ground.stones=0"]

@@ -536,14 +536,19 @@ def test_progress_is_shown_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Pat
 # --- rendering ---------------------------------------------------------------------------------
 
 
-def test_the_same_command_twice_gives_the_same_bytes(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "only",
+    ["ground,sky", "ground,water", "castle,rabbit,dragon", "trees,deer,plants", "grass,sword,map"],
+)
+@pytest.mark.sweep(5)
+def test_the_same_command_twice_gives_the_same_bytes(tmp_path: Path, only: str) -> None:
     counts = [f"--set={key}={value}" for key, value in SMALL_BEST.items()]
     # The second makes all anew that the first finds in the cache, or puts there.
     for name, env in (
         ("first.png", environment()),
         ("second.png", environment(LANDSCAPE_CACHE="")),
     ):
-        words = ("render", "fig35a", "--size", "64x48", "--out", name, *counts)
+        words = ("render", "fig35a", "--size", "64x48", "--only", only, "--out", name, *counts)
         done = landscape(*words, cwd=tmp_path, env=env)
         assert (done.status, done.err) == (0, "")
     first, second = (path.read_bytes() for path in sorted(tmp_path.iterdir()))

@@ -31,7 +31,7 @@ def both() -> Iterator[tuple[Offscreen, Offscreen]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("view", ["fig35a", "fig35c", "fig35f", "fig35g", "fig35i"])
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(6)
 def test_the_picture_is_the_same_as_with_everything_drawn(both, view: str) -> None:
     pictures = []
     for offscreen in both:

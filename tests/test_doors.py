@@ -76,6 +76,7 @@ def test_a_shut_door_is_not_entered_but_faced_and_one_comes_out_of_it_clear_of_i
 
 
 @pytest.mark.parametrize("yaw", [-160.0, 0.0, 35.0])
+@pytest.mark.sweep(3)
 def test_the_castles_door_is_where_its_gate_is_drawn(
     stage: Stage, yaw: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:

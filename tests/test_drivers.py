@@ -68,6 +68,7 @@ def is_sound(one: Pictures, other: Pictures) -> bool:
 
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("units", [4, 3, 2, 1])
+@pytest.mark.sweep(4)
 def test_with_few_texture_units_no_more_are_used_and_the_place_is_the_same(
     place: str, units: int, whole: dict[str, Pictures], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -98,7 +99,7 @@ def test_the_sea_is_drawn_in_four_texture_units_with_the_pixels_of_eight(
     np.testing.assert_array_equal(*drawn)
 
 
-@pytest.mark.sweep(4)  # not 3: each run draws all places
+@pytest.mark.sweep(12)
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("name", sorted(KNOWN))
 def test_without_an_extension_nothing_of_it_is_used_and_a_line_says_what_is_off(

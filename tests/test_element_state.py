@@ -114,6 +114,7 @@ def ground(stage: Stage, values: Settings, assets: Assets):
 
 
 @pytest.mark.parametrize("name", ELEMENTS)
+@pytest.mark.sweep(4)
 def test_drawing_leaves_the_state_as_found_and_release_leaves_no_name(
     stage: Stage, values: Settings, assets: Assets, ground: Ground, name: str
 ) -> None:

@@ -324,7 +324,7 @@ def drawn_with(
 
 
 @pytest.mark.parametrize("key", [k for k in KEYS if k not in (*WALKING, *ONLY_CALLS)])
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(9)
 def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
     stage: Stage, islands: dict[Any, Island], key: str
 ) -> None:
@@ -334,6 +334,7 @@ def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
 
 
 @pytest.mark.parametrize("key", IN_BEST)
+@pytest.mark.sweep(4)
 def test_a_setting_of_best_shows_beside_the_others_of_best(
     stage: Stage, islands: dict[Any, Island], key: str
 ) -> None:
@@ -365,7 +366,7 @@ def vain(preset: str) -> list[tuple[str, str]]:
 
 
 @pytest.mark.parametrize(("key", "preset"), [*vain("2006"), *vain("best")])
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(12)
 def test_what_is_said_to_change_nothing_changes_nothing(
     stage: Stage, islands: dict[Any, Island], key: str, preset: str
 ) -> None:

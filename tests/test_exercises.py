@@ -46,7 +46,7 @@ def hints(report: Report) -> list[Hint]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(7)
 def test_all_solutions_pass_and_the_start_does_not(
     name: str, grader: Grader, pytestconfig: pytest.Config
 ) -> None:
@@ -63,7 +63,7 @@ def test_all_solutions_pass_and_the_start_does_not(
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(9, first=4)
 def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
     name: str, grader: Grader, tmp_path: Path, pytestconfig: pytest.Config
 ) -> None:
@@ -106,7 +106,7 @@ ONLY_FIRST = """        if glfw.get_time() > 0:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(9)
 def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame(
     name: str, grader: Grader, tmp_path: Path
 ) -> None:
@@ -196,6 +196,7 @@ def test_a_hint_names_the_students_own_line(grader: Grader, tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.sweep(4)
 def test_the_task_and_the_hints_are_in_french_as_well(name: str, grader: Grader) -> None:
     french = exercise(name).translate.to("fr")
     written = start(exercise(name), "fr")

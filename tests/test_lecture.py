@@ -185,7 +185,7 @@ def test_the_lines_that_matter_are_those_with_names_no_lesson_had_before() -> No
 
 @pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (1024, 768)])
 @pytest.mark.parametrize("language", ["en", "fr"])
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(9)
 def test_the_captions_of_the_course_fit_into_a_band_of_one_height(
     monkeypatch: pytest.MonkeyPatch, language: str, size: tuple[int, int]
 ) -> None:

@@ -51,6 +51,7 @@ def test_a_program_is_plain_and_says_what_it_is_written_with(name: str) -> None:
 
 
 @each_program
+@pytest.mark.sweep(3)
 def test_a_program_runs_without_a_screen(name: str, glfw_watcher: Watcher) -> None:
     drawn = glfw_watcher(program_files(name)[0], 1)
     assert drawn.error == "", drawn.details
@@ -58,6 +59,7 @@ def test_a_program_runs_without_a_screen(name: str, glfw_watcher: Watcher) -> No
 
 @pytest.mark.window
 @each_program
+@pytest.mark.sweep(3, first=1)
 def test_both_forms_draw_the_same_picture(
     name: str, glfw_watcher: Watcher, glut_watcher: Watcher, tmp_path: Path
 ) -> None:

@@ -161,7 +161,7 @@ def test_a_wrong_tag_is_found(tmp_path: Path) -> None:
 
 @pytest.mark.golden
 @each_lesson
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(5)
 def test_a_lesson_looks_as_it_did(
     name: str, watcher: Watcher, tmp_path: Path, pytestconfig: pytest.Config, stage: object
 ) -> None:
@@ -201,7 +201,7 @@ def test_the_picture_of_a_lesson_is_written_to_a_file(
 
 
 @each_lesson
-@pytest.mark.sweep(4, first=1)
+@pytest.mark.sweep(12, first=1)
 def test_each_key_of_a_lesson_changes_its_picture(name: str, watcher: Watcher) -> None:
     found = lesson(name)
 
@@ -232,7 +232,7 @@ SIZED = [
 
 
 @pytest.mark.parametrize("name", SIZED)
-@pytest.mark.sweep(4, first=1)
+@pytest.mark.sweep(12, first=5)
 def test_lines_points_and_what_is_measured_in_letters_grow_with_the_window(
     name: str, watcher: Watcher
 ) -> None:
@@ -302,7 +302,7 @@ def starters() -> Iterator[list[Starter]]:
 
 @pytest.mark.window
 @each_lesson
-@pytest.mark.sweep(8, first=3)
+@pytest.mark.sweep(14, first=3)
 def test_a_lesson_runs_in_a_window_until_escape(
     name: str, screen: dict[str, str], starter: Starter, tmp_path: Path
 ) -> None:

@@ -62,7 +62,7 @@ def begin(island: Voxel) -> None:
 
 
 @pytest.mark.parametrize("name", SWITCHES)
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(9)
 def test_a_frame_leaves_the_state_as_its_beginning_set_it(
     stage: Stage, islands: dict[str, Voxel], name: str
 ) -> None:

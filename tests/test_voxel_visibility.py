@@ -178,7 +178,7 @@ def samples_in_front(land: Land, sent: Choice) -> int:
     return found
 
 
-@pytest.mark.sweep(10)
+@pytest.mark.sweep(14)
 @pytest.mark.parametrize("seed", range(10))
 def test_not_one_sample_of_what_is_not_sent_lies_in_front_of_what_is(
     monkeypatch: pytest.MonkeyPatch, seed: int
@@ -219,6 +219,7 @@ def test_not_one_sample_of_what_is_not_sent_lies_in_front_of_what_is(
     assert 50 < regions / views < 200  # of 625
 
 
+@pytest.mark.sweep(14)
 def test_no_background_shows_between_merged_quads() -> None:
     """From above, looking steeply down, every pixel is land: there are no pinholes."""
     rng = np.random.default_rng(6)

@@ -37,7 +37,7 @@ def why(path: Path, frame: int = 0, pixel: tuple[int, int] | None = None) -> dic
     return json.loads(done.stdout.splitlines()[-1])
 
 
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(12)
 @pytest.mark.parametrize("name", BROKEN)
 def test_the_mistake_is_named_and_its_absence_too(name, tmp_path):
     case = BROKEN[name]

@@ -49,7 +49,7 @@ def part(lines: list[str], kept: str, left_out: str) -> str:
 
 
 @pytest.mark.posix_only("its tests have no GLUT")
-@pytest.mark.sweep(7, first=3)
+@pytest.mark.sweep(14, first=3)
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
 def test_the_mistake_of_a_student_is_named_and_its_absence_too(path, display, tmp_path):
     first, *lines = path.read_text(encoding="utf-8").splitlines()
