@@ -5,7 +5,7 @@ that covers it. The rest of the order is for speed.
 """
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -53,7 +53,7 @@ from landscape.geometry.obstacle_grid import Obstacles
 from landscape.geometry.pockets import passable
 from landscape.island.fixes import FIXES
 from landscape.island.views import ALL, MAIN, VIEWS
-from landscape.scene.scene import SEED, Moment, Scene, begin_frame
+from landscape.scene.scene import SEED, Moment, Scene, begin_frame, draw_all_parts
 
 ELEMENTS = ALL
 SIGNS: Texts = {"castle": "the door leads into the great hall"}
@@ -265,23 +265,29 @@ class Island:
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
+        draw_all_parts(self, moment)
+
+    def parts(self, moment: Moment) -> Iterator[Frame]:
+        """Draw one frame but for sword and map, and yield it after each part."""
         frame = self._begin(moment)
-        draw = self._draw
-        values = self.settings
-        below = self.under is not None and "water" in self.shown and submerged(frame, values)
+        below = self.under is not None and "water" in self.shown and submerged(frame, self.settings)
         with attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
             if below:
                 self._draw_under_water(frame)
             else:
-                self._draw_outdoors(frame)
+                for _ in self._draw_outdoors(frame):
+                    yield frame
+        yield frame
 
-        # The overlay covers everything.
+    def draw_overlay(self, frame: Frame) -> None:
+        """Draw sword and map, which cover everything."""
         begin_pass("overlay")
+        values = self.settings
         if values.overlay.sword:
-            draw("sword", self.sword, frame)
+            self._draw("sword", self.sword, frame)
         if values.overlay.map:
-            draw("map", self.map, frame)
+            self._draw("map", self.map, frame)
 
     def _draw_under_water(self, frame: Frame) -> None:
         """Draw what an eye below the surface sees: bed, dragon, net of light, the surface."""
@@ -305,8 +311,8 @@ class Island:
             with drawing("water"):
                 under.lay_net(frame, lambda: draw("dragon", self.dragon, frame, "send"))
 
-    def _draw_outdoors(self, frame: Frame) -> None:
-        """Draw what an eye above the water sees."""
+    def _draw_outdoors(self, frame: Frame) -> Iterator[None]:
+        """Draw what an eye above the water sees, in parts that take about as long."""
         draw, values = self._draw, self.settings
         # Sorted once for both passes, when first needed.
         sort = functools.cache(lambda: self.sprites.prepare(frame))
@@ -316,6 +322,7 @@ class Island:
         early = query is None or query.expected(frame)
         if early:
             self._draw_reflection(frame, sort)
+            yield
 
         # Opaque elements: the depth buffer sorts them, so their order does not matter.
         if in_parts := isinstance(self.castle, OrnateCastle):
@@ -330,12 +337,14 @@ class Island:
                 query.ask(frame)
         # OpenGL executes the calls so far while Python sorts, selects blades, computes waves.
         gl.glFlush()
+        yield
         if self._sprites_shown:
             sort()
         draw("grass", self.grass, frame)
         # The sky comes last of the opaque elements: it is not drawn where they cover it.
         draw("sky", self.sky, frame)
         gl.glFlush()
+        yield
 
         # Land may hide all of the sea; a mirror image that is a texture can be drawn this late.
         water = query is None or query.shows()
@@ -349,6 +358,7 @@ class Island:
             draw("water", self.ring, frame)
             draw("water", self.water, frame)
         draw("mist", self.mist, frame)
+        yield
         self._draw_sprites(frame, sort)
 
     def _draw_reflection(self, frame: Frame, sort: Callable[[], Any]) -> None:

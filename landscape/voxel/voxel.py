@@ -18,7 +18,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
-from landscape.scene.scene import SEED, Moment, Scene, View, begin_frame
+from landscape.scene.scene import SEED, Moment, Scene, View, begin_frame, draw_all_parts
 from landscape.settings.declare import Toggle
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
@@ -160,6 +160,10 @@ class Voxel(Played, Ground):
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
+        draw_all_parts(self, moment)
+
+    def parts(self, moment: Moment) -> Iterator[Frame]:
+        """Draw one frame but for cross-hair, sword and map, and yield it after each part."""
         values = self.settings
         self._under = self._is_under(moment.pose)
         haze = murk(values) if self._under else self._haze(moment.pose)
@@ -168,6 +172,7 @@ class Voxel(Played, Ground):
         self.land.catch_up()
         self._around = self.land.around(frame.eye)
         self._draw_shadows(frame, moment.walking)
+        yield frame
         begin_pass("main")
         shore = self._shore(frame)
 
@@ -179,8 +184,10 @@ class Voxel(Played, Ground):
             self._draw_land(frame, clip, part, behind_hills=moment.wireframe or self._under)
         if not self._under:  # or the surface is in front of all of it
             self._draw("sky", self.sky, frame)
+        yield frame
         if shore and self._visible(frame):
             self._draw_images(frame, clip, shore.level)
+            yield frame
             begin_pass("water")
             with drawing("water"):
                 depth = self.depth(shore)
@@ -188,9 +195,14 @@ class Voxel(Played, Ground):
                 self.water.draw(frame, clip, shore.points, depth, fades_into)
 
         begin_pass("overlay")
-        self.draw_aim(frame)
+        self.draw_aimed_at(frame)
         self._draw_debug(frame, clip)
-        if not values.debug.textures:  # it would cover the last of them
+        yield frame
+
+    def draw_overlay(self, frame: Frame) -> None:
+        """Draw cross-hair, sword and map, which cover everything."""
+        self.draw_crosshair(frame)
+        if not self.settings.debug.textures:  # it would cover the last of them
             self._draw("sword", self.sword, frame)
         self._draw("map", self.map, frame)
 
