@@ -115,8 +115,9 @@ ROOM = 0.75  # chosen: of the time per frame, what a finer level may be expected
 RESORT = 2.0  # chosen: times the time per frame, which the other levels must take for a last resort
 WAIT = 0.4  # chosen: seconds at a level before a finer one is tried
 LONGEST_WAIT = 16.0  # chosen: seconds, after a rise that was taken back several times
-RIGHT = 0.16  # chosen: part of a picture that may be wrong where it is to serve several frames
-WRONG = 0.24  # chosen: part of a picture that is too much, where one does
+RIGHT = 0.15  # chosen: part of a picture that may be wrong where it is to serve several frames
+WRONG = 0.18  # chosen: part of a picture that is too much, where one does
+AGAIN = 3.0  # chosen: seconds after that before it is tried again
 REST = 0.25  # chosen: seconds without a motion after which a walker stands still
 
 
@@ -125,7 +126,7 @@ class Ladder:
 
     def __init__(self, levels: Sequence[Level], budget: float) -> None:
         """Begin at the first level, which draws everything; ``budget`` is seconds per frame."""
-        self._levels, self._budget = levels, budget
+        self._levels, self.budget = levels, budget
         self.level = 0
         self.fixed = FIXED  # part of a full frame's time that no level saves, as far as is known
         self.full = 0.0  # seconds that a full frame takes, as far as is known
@@ -170,7 +171,7 @@ class Ladder:
         """Take note of a frame: seconds it took to draw, seconds since the one before."""
         self._since += seconds
         self._recent.append(spent)
-        hurried = len(self._recent) >= HURRY and self._fastest() > RUSH * self._budget
+        hurried = len(self._recent) >= HURRY and self._fastest() > RUSH * self.budget
         if len(self._recent) < RECENT and not hurried:
             return
         recent = list(self._recent)
@@ -207,7 +208,7 @@ class Ladder:
         full = self.full
         if self.level > self._last_good and self._bearable(full, LIMIT):
             return self._last_good
-        if usual > LIMIT * self._budget:
+        if usual > LIMIT * self.budget:
             if self._risen and self._since < 2 * self._wait:
                 self._wait = min(2 * self._wait, LONGEST_WAIT)
             return self._coarser(full)
@@ -244,14 +245,14 @@ class Ladder:
 
         Its frames may take ``part`` of RESORT times the budget; a full one takes ``full`` seconds.
         """
-        return full * self.cost(self._last_good) <= part * RESORT * self._budget
+        return full * self.cost(self._last_good) <= part * RESORT * self.budget
 
     def _fitting(self, levels: range, full: float, part: float) -> int | None:
         """Return the first of some levels whose frames would take that part of the time at most.
 
         ``full`` is what a full frame takes, in seconds.
         """
-        most = part * self._budget
+        most = part * self.budget
         return next((n for n in levels if full * self.cost(n) <= most), None)
 
 
@@ -265,6 +266,7 @@ class Pace:
         self._walking, self._standing = Ladder(WALKING, budget), Ladder(STANDING, budget)
         self._carried = Ladder(CARRIED, budget / OFTENER)
         self.carries = False  # whether pictures serve several frames
+        self._since_wrong = AGAIN  # seconds since too much was wrong
         self._still = 0.0  # seconds without a motion
         self._drawn = 0  # frames, up to WARM
 
@@ -291,6 +293,20 @@ class Pace:
     def _moving(self) -> Ladder:
         return self._carried if self.carries else self._walking
 
+    def _choose_ladder(self, wrong: float, seconds: float) -> None:
+        """Let pictures serve several frames, or not, where frames take ``seconds``."""
+        if self.carries:
+            if wrong > WRONG:
+                self.carries, self._since_wrong = False, 0.0
+                self._walking.follow(self._carried)
+            return
+        if self._since_wrong < AGAIN or wrong >= RIGHT:
+            return
+        self._carried.follow(self._walking)
+        # The longer a picture serves, the more of it is wrong.
+        serves = self._carried.detail.spread * self._carried.budget
+        self.carries = wrong * serves < RIGHT * seconds
+
     @property
     def interlaced(self) -> bool:
         """Whether the next frame is one of those that add up to a picture of full size."""
@@ -306,12 +322,9 @@ class Pace:
             self._drawn += 1
             return
         self._ladder.frame(spent, seconds)
-        if wrong is not None and wrong < RIGHT and not self.carries:
-            self.carries = True
-            self._carried.follow(self._walking)
-        elif wrong is not None and wrong > WRONG and self.carries:
-            self.carries = False
-            self._walking.follow(self._carried)
+        self._since_wrong += seconds
+        if wrong is not None:
+            self._choose_ladder(wrong, seconds)
         was_still = self.still
         self._still = 0.0 if moved else self._still + seconds
         if self.still and not was_still:
