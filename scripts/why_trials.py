@@ -294,6 +294,8 @@ def sown(mistake: Mistake, dice: random.Random) -> str:
             if pixel is None:
                 continue
             found = diagnosed(program, lesson.frame, pixel or None)
+            if found is None:
+                continue
         causes = [cause.cause for cause in found.causes]
         right = bool(causes) and causes[0] in mistake.causes
         return f"{lesson.name} {pixel}: {', '.join(causes) or found.verdict}{'+' if right else ''}"
@@ -315,11 +317,14 @@ def differing(
     return int(columns[middle]), int(rows[middle])
 
 
-def diagnosed(program: Path, frame: int, pixel: tuple[int, ...] | None) -> Diagnosis:
-    """Return why a program's pixel looks as it does."""
+def diagnosed(program: Path, frame: int, pixel: tuple[int, ...] | None) -> Diagnosis | None:
+    """Return why a program's pixel looks as it does, None where it takes too long to its frame."""
     at = (pixel[0], pixel[1]) if pixel else None
     target = ProgramFrame(str(program), frame=frame)
-    return target.look(lambda tape: diagnose(tape, at, SECONDS), past=True)
+    try:
+        return target.look(lambda tape: diagnose(tape, at, SECONDS), past=True)
+    except InputError:
+        return None
 
 
 def main() -> int:

@@ -54,24 +54,35 @@ def lights(survey: Survey) -> Iterator[Suspect]:
             )
         return
 
-    if mine:
-        setters = mine[-1].setters.last
-        for name in LIGHTS:
-            set_by = next((c for v, c in setters.items() if v.startswith(f"{name}.")), None)
-            if set_by is not None and not any(d.state[name] for d in mine):
-                yield Suspect(
-                    "light-off",
-                    at=set_by,
-                    change=on(name, mine),
-                    strength=81 if _dark(survey, mine) else 72,
-                    state=name,
-                    value=False,
-                    values={"light": name},
-                    draws=mine,
-                )
-
+    yield from _set_and_off(survey, mine)
     yield from _unlit(survey)
     yield from _far_side(survey, mine)
+
+
+def _set_and_off(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that a light is set and not enabled.
+
+    Without a pixel only where the others leave all nearly dark: a light may well be switched off.
+    """
+    if not mine:
+        return
+    dark = _dark(survey, mine)
+    if not dark and survey.pixel is None:
+        return
+    setters = mine[-1].setters.last
+    for name in LIGHTS:
+        set_by = next((c for v, c in setters.items() if v.startswith(f"{name}.")), None)
+        if set_by is not None and not any(d.state[name] for d in mine):
+            yield Suspect(
+                "light-off",
+                at=set_by,
+                change=on(name, mine),
+                strength=81 if dark else 72,
+                state=name,
+                value=False,
+                values={"light": name},
+                draws=mine,
+            )
 
 
 def _unlit(survey: Survey) -> Iterator[Suspect]:

@@ -112,7 +112,7 @@ def _upside_down(survey: Survey, call: Call, texture: int, image: Any) -> Iterat
     if origin is None:
         return
     how, site = origin
-    if not how.startswith("pygame") and survey.pixel is None:
+    if not how.startswith("pygame"):
         return  # images of PIL that are drawn so may be meant so
     upright = [
         draw
