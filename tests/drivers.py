@@ -162,5 +162,5 @@ def emulated(driver: Driver) -> Iterator[Driver]:
 
 def _forget() -> None:
     """Let the seam look all functions up again."""
-    seam._plain.clear()
-    seam._noted.clear()
+    seam.seam.plain.clear()
+    seam.seam.noted.clear()

@@ -391,7 +391,7 @@ def test_the_command_refuses_a_missing_file() -> None:
 
 def test_without_edits_nothing_is_wrapped() -> None:
     with edited(None):
-        assert seam.gl.__dict__ is seam._plain
+        assert seam.gl.__dict__ is seam.seam.plain
 
 
 @pytest.mark.parametrize("former", [1.0, 1, True])

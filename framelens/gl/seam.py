@@ -2,7 +2,10 @@
 
 Off, it costs nothing: once looked up, an attribute of ``gl`` is PyOpenGL's function itself, but for
 a few (window_framebuffer.py). Inside :func:`noting` they are functions that note a call and then
-make it. Three things need that. A :func:`recording` collects the calls, with their arguments, the
+make it: where it comes from, how edits change it, what its arrays hold now, whom it is told.
+One object, :data:`seam`, owns all that; what it does with a call is its frozen :class:`State`.
+
+Three things need notes. A :func:`recording` collects the calls, with their arguments, the
 element that draws, the pass and the source line. Edits (:func:`edited`) change arguments or leave
 calls out. And a display list remembers the calls it was compiled from, recording or not, so that a
 recording of any later frame can look inside it.
@@ -16,7 +19,8 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from itertools import islice
-from typing import Any
+from types import FrameType
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -46,34 +50,11 @@ __all__ = [
     "outermost",
     "recording",
     "replacing",
+    "seam",
     "unnoted",
     "unrecorded",
     "use_lists",
 ]
-
-
-class Calls:
-    """OpenGL's functions and enumerants as attributes; PyOpenGL is imported at the first use."""
-
-    def __getattr__(self, name: str) -> Any:
-        # Code that inspects any object it meets, as pytest does, must not import OpenGL before a
-        # platform is chosen.
-        if not name.startswith(("gl", "GL")):
-            raise AttributeError(name)
-        from framelens.gl.foreign import original
-
-        value = original(name)
-        if self.__dict__ is _noted and callable(value) and name.startswith("gl"):
-            value = noting_function(name, value)
-        self.__dict__[name] = value
-        return value
-
-
-gl: Any = Calls()
-# The attributes of ``gl`` outside noting() and inside it. Switching is one assignment.
-_plain: dict[str, Any] = gl.__dict__
-_noted: dict[str, Any] = {}
-_depth = 0  # how many noting() blocks are open
 
 
 FIELDS = 7  # of a Call, from ``shared_by`` on: what a note of it holds
@@ -151,304 +132,342 @@ class Recorder:
     def made(self, call: Call) -> None:
         """Take note that a call has been made."""
         if call.name == "glNewList":
-            call.compiled = _open
+            call.compiled = seam.state.open_list
         if self.after is not None:
             self.after(call)
 
     @property
     def lists(self) -> dict[int, list[Call]]:
         """The display lists of the current context: number to the calls it was compiled from."""
-        return {number: listing.calls() for number, listing in _lists.items()}
+        return {number: listing.calls() for number, listing in seam.state.lists.items()}
 
 
-_recorder: Recorder | None = None
-_edits: Edits | None = None
-_lists: Lists = {}
-_open: Listing | None = None  # the display list that is being compiled
-_again: tuple[tuple[str, ...], str, Site] | None = None  # what made the call that is made again
-_inside = False  # whether a call of a program that does not know the seam is being made
-# Told of such calls while there is no recording: name, arguments, result and line.
-unrecorded: list[Callable[[str, tuple[Any, ...], Any, Site], None]] = []
-_begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
-current_pass = "setup"
+GLFunction = Callable[..., Any]
+Origin = tuple[tuple[str, ...], str, Site]  # of a call: the elements that draw, the pass, the line
 
 
-@contextmanager
-def recording(complete: bool = False) -> Iterator[Recorder]:
-    """Record every call made inside the block; ``complete`` copies arrays, to replay the calls.
+class State(NamedTuple):
+    """What the seam does with a call that is made now; ``lists`` are the current context's."""
 
-    A recording inside another one collects its own calls; the outer one does not see them.
-    """
-    global _recorder, current_pass
-    before = _recorder, current_pass
-    recorder = Recorder(complete)
-    _recorder, current_pass = recorder, "setup"
-    try:
-        with noting():
-            yield recorder
-    finally:
-        _recorder, current_pass = before
+    lists: Lists
+    recorder: Recorder | None = None
+    edits: Edits | None = None
+    open_list: Listing | None = None  # the display list that is being compiled
+    pass_: str = "setup"
+    again: Origin | None = None  # of the call that is made again
 
 
-@contextmanager
-def edited(edits: Edits | None) -> Iterator[None]:
-    """Let ``edits`` change the calls of the block; None changes nothing, and costs nothing."""
-    global _edits
-    before, _edits = _edits, edits
-    try:
-        with noting() if edits is not None else nullcontext():
-            yield
-    finally:
-        _edits = before
+class Seam:
+    """The way of every call to OpenGL, by the attributes of ``namespace``."""
 
+    def __init__(self) -> None:
+        self.state = State(lists={})
+        self.namespace: Any = _Namespace()
+        # The attributes of the namespace outside noting() and inside it. Switching is one
+        # assignment.
+        self.plain: dict[str, Any] = self.namespace.__dict__
+        self.noted: dict[str, Any] = {}
+        # Told of the calls of a program that does not know the seam while there is no recording:
+        # name, arguments, result and line.
+        self.unrecorded: list[Callable[[str, tuple[Any, ...], Any, Site], None]] = []
+        self._depth = 0  # how many noting() blocks are open
+        # Whether a call of such a program is being made. It changes with each of them, so it is no
+        # field of the state.
+        self._inside = False
+        self._begun: Counter[tuple[Site, str]] = Counter()  # lists, by line and element
 
-@contextmanager
-def unnoted() -> Iterator[None]:
-    """Make the block's calls without a note of them and without edits: a tool's own calls."""
-    global _recorder, _edits, _open, _lists
-    before = _recorder, _edits, _open, _lists
-    _recorder = None
-    _edits = None
-    _open = None
-    _lists = {}
-    namespace, gl.__dict__ = gl.__dict__, _plain
-    try:
-        yield
-    finally:
-        gl.__dict__ = namespace
-        _recorder, _edits, _open, _lists = before
+    # ---- what is done with the calls of a block
 
-
-@contextmanager
-def noting() -> Iterator[None]:
-    """Note the block's calls, for display lists and for the recording, if there is one."""
-    global _depth
-    _depth += 1
-    gl.__dict__ = _noted
-    try:
-        yield
-    finally:
-        _depth -= 1
-        if _depth == 0:
-            gl.__dict__ = _plain
-
-
-@contextmanager
-def replacing(name: str, function: Callable[..., Any]) -> Iterator[Callable[..., Any]]:
-    """Note the calls of the block, in which ``gl.name`` is ``function``; yield what it was."""
-    with noting():
-        original = getattr(gl, name)
-        _noted[name] = function
+    @contextmanager
+    def using(self, **changes: Any) -> Iterator[State]:
+        """Change fields of the state for the block; they are put back, always."""
+        before = {name: getattr(self.state, name) for name in changes}
+        self.state = self.state._replace(**changes)
         try:
-            yield original
+            yield self.state
         finally:
-            _noted[name] = original
+            self.state = self.state._replace(**before)
 
+    @contextmanager
+    def recording(self, complete: bool = False) -> Iterator[Recorder]:
+        """Record every call made inside the block; ``complete`` copies arrays, to replay the calls.
 
-def begin_pass(name: str) -> None:
-    """Say which pass of the frame begins; setup while building."""
-    global current_pass
-    current_pass = name
-    if name == "setup":
-        _begin_counting()
+        A recording inside another one collects its own calls; the outer one does not see them.
+        """
+        recorder = Recorder(complete)
+        with self.using(recorder=recorder, pass_="setup"), self.noting():
+            yield recorder
 
+    @contextmanager
+    def edited(self, edits: Edits | None) -> Iterator[None]:
+        """Let ``edits`` change the block's calls; None changes nothing, and costs nothing."""
+        with self.using(edits=edits), self.noting() if edits is not None else nullcontext():
+            yield
 
-def frame_begins() -> None:
-    """Say that a frame begins, with its main pass."""
-    begin_pass("main")
-    _begin_counting()
+    @contextmanager
+    def unnoted(self) -> Iterator[None]:
+        """Make the block's calls without a note of them and without edits: a tool's own calls."""
+        attributes = self.namespace.__dict__
+        with self.using(recorder=None, edits=None, open_list=None, lists={}):
+            self.namespace.__dict__ = self.plain
+            try:
+                yield
+            finally:
+                self.namespace.__dict__ = attributes
 
+    @contextmanager
+    def noting(self) -> Iterator[None]:
+        """Note the block's calls, for display lists and for the recording, if there is one."""
+        self._depth += 1
+        self.namespace.__dict__ = self.noted
+        try:
+            yield
+        finally:
+            self._depth -= 1
+            if self._depth == 0:
+                self.namespace.__dict__ = self.plain
 
-def _begin_counting() -> None:
-    """Count lists, and the calls that edits look for, from 0 again."""
-    _begun.clear()
-    if _edits is not None:
-        _edits.begin()
+    @contextmanager
+    def replacing(self, name: str, function: GLFunction) -> Iterator[GLFunction]:
+        """Note the calls of the block, in which ``gl.name`` is ``function``; yield what it was."""
+        with self.noting():
+            original = getattr(self.namespace, name)
+            self.noted[name] = function
+            try:
+                yield original
+            finally:
+                self.noted[name] = original
 
+    # ---- what the program says of itself
 
-def use_lists(lists: Lists) -> None:
-    """Use ``lists`` as the current context's: a list's number has no meaning in another context."""
-    global _lists
-    _lists = lists
+    def begin_pass(self, name: str) -> None:
+        """Say which pass of the frame begins; setup while building."""
+        self.state = self.state._replace(pass_=name)
+        if name == "setup":
+            self._begin_counting()
 
+    def frame_begins(self) -> None:
+        """Say that a frame begins, with its main pass."""
+        self.begin_pass("main")
+        self._begin_counting()
 
-def lists_now() -> Lists:
-    """Return the display lists of the current context."""
-    return _lists
+    def _begin_counting(self) -> None:
+        """Count lists, and the calls that edits look for, from 0 again."""
+        self._begun.clear()
+        if self.state.edits is not None:
+            self.state.edits.begin()
 
+    def use_lists(self, lists: Lists) -> None:
+        """Use ``lists`` as the current context's: in another, a list's number has no meaning."""
+        self.state = self.state._replace(lists=lists)
 
-def noting_function(
-    name: str, function: Callable[..., Any], by_function: bool = False
-) -> Callable[..., Any]:
-    """Return OpenGL's ``function`` with a note taken of each call.
+    def lists_now(self) -> Lists:
+        """Return the display lists of the current context."""
+        return self.state.lists
 
-    ``by_function`` calls elements what a program's own functions draw: it names none itself.
-    """
-    follow, to_client = _FOLLOW.get(name), concerns_arrays(name)
+    # ---- a call
 
-    def noted(*args: Any, **named: Any) -> Any:
-        given = None
-        if _again is not None:
-            elements, pass_, site = _again
-        else:
-            site, pass_ = caller(sys._getframe(1)), current_pass
-            elements = (site.function,) if by_function else drawn_now()
+    def noting_function(
+        self, name: str, function: GLFunction, by_function: bool = False
+    ) -> GLFunction:
+        """Return OpenGL's ``function`` with each call edited, noted, made and followed up.
 
-        skipped = False
-        if _edits is not None:
-            changed = _edits.change(name, args, elements, pass_, site)
-            skipped = changed is None
-            if changed is not None and changed is not args:
-                given, args = args, changed
+        ``by_function`` calls elements what a program's own functions draw: it names none itself.
+        """
+        to_client = concerns_arrays(name)
+        follow = self._follow(name)
 
-        values, kept = (*args, *named.values()), None
-        arrays: Sequence[Any] = ()
-        if _recorder is not None:
-            if _recorder.complete:
-                if to_client:
-                    arrays = _recorder.client.see(name, values)
-                values = frozen(values)
-            elif any(isinstance(value, (np.ndarray, list)) for value in values):
-                kept = shown(name, values)  # now: the caller may overwrite an array later
+        def noted(*args: Any, **named: Any) -> Any:
+            origin = self.state.again or self._origin(sys._getframe(1), by_function)
+            changed = self._changed(name, args, origin)
+            given = None if changed is None or changed is args else args
+            args = args if changed is None else changed
+            values, kept, arrays = self._frozen(name, (*args, *named.values()), to_client)
+            call = self._note(name, values, (*origin, kept, given, changed is None, arrays))
+            if changed is None:
+                return None
 
-        where = (elements, pass_, site, kept, given, skipped, arrays)
-        call = None
-        if _open is not None and name != "glEndList":
-            _open.note(name, values, where)
-        elif _recorder is not None:
-            call = _recorder.add(Call(name, values, *where))
+            result = function(*args, **named)
+            if follow is not None:
+                follow(origin[-1], *args)
+            if call is not None and self.state.recorder is not None:
+                self.state.recorder.made(call)
+            return result
 
-        if skipped:
+        return noted
+
+    def _origin(self, frame: FrameType, by_function: bool) -> Origin:
+        """Return where a call comes from that a frame of Python makes."""
+        site = caller(frame)
+        elements = (site.function,) if by_function else drawn_now()
+        return elements, self.state.pass_, site
+
+    def _changed(self, name: str, args: tuple[Any, ...], origin: Origin) -> tuple[Any, ...] | None:
+        """Return a call's arguments as the edits want them; None if it is to be left out."""
+        edits = self.state.edits
+        return args if edits is None else edits.change(name, args, *origin)
+
+    def _frozen(
+        self, name: str, values: tuple[Any, ...], to_client: bool
+    ) -> tuple[tuple[Any, ...], list[Any] | None, Sequence[Any]]:
+        """Return arguments, their form as JSON and client arrays as far as they are kept now.
+
+        The caller may overwrite an array later. ``to_client``: the call concerns client arrays.
+        """
+        recorder = self.state.recorder
+        if recorder is None:
+            return values, None, ()
+        if recorder.complete:
+            arrays = recorder.client.see(name, values) if to_client else ()
+            return frozen(values), None, arrays
+        if any(isinstance(value, (np.ndarray, list)) for value in values):
+            return values, shown(name, values), ()
+        return values, None, ()
+
+    def _note(self, name: str, values: tuple[Any, ...], where: tuple[Any, ...]) -> Call | None:
+        """Note a call in the open display list, else on the recording; return it if it is there."""
+        state = self.state
+        if state.open_list is not None and name != "glEndList":
+            state.open_list.note(name, values, where)
             return None
-        result = function(*args, **named)
-        if follow is not None:
-            follow(site, *args)
-        if call is not None and _recorder is not None:
-            _recorder.made(call)
-        return result
+        if state.recorder is None:
+            return None
+        return state.recorder.add(Call(name, values, *where))
 
-    return noted
+    def _follow(self, name: str) -> Callable[..., None] | None:
+        """Return what is told of a call once it is made: of those that concern display lists."""
+        followed: dict[str, Callable[..., None]] = {
+            "glNewList": self._begin_list,
+            "glEndList": self._end_list,
+            "glDeleteLists": self._forget_lists,
+        }
+        return followed.get(name)
 
+    def _begin_list(self, site: Site, name: int, mode: int) -> None:
+        element = drawn_now()[0]
+        listing = Listing(site, element, self._begun[site, element])
+        self._begun[site, element] += 1
+        self.state.lists[int(name)] = listing
+        self.state = self.state._replace(open_list=listing)
+        if self.state.edits is not None:
+            self.state.edits.begin_list(listing)
 
-def make_again(call: Call) -> None:
-    """Make a recorded call again as if the same line did: noted, and edited, as it was then."""
-    global _again
-    for name, args in call.arrays:
-        if _recorder is not None:
-            _recorder.client.see(name, args)
-        with unnoted():
-            getattr(gl, name)(*args)
-    _again = call.shared_by, call.pass_, call.site
-    try:
-        getattr(gl, call.name)(*(call.args if call.given is None else call.given))
+    def _end_list(self, _: Site) -> None:
+        self.state = self.state._replace(open_list=None)
+        if self.state.edits is not None:
+            self.state.edits.end_list()
+
+    def _forget_lists(self, _: Site, first: int, count: int) -> None:
+        for name in range(int(first), int(first) + int(count)):
+            self.state.lists.pop(name, None)
+
+    def make_again(self, call: Call) -> None:
+        """Make a recorded call again as if the same line did: noted, and edited, as then."""
+        for name, args in call.arrays:
+            if self.state.recorder is not None:
+                self.state.recorder.client.see(name, args)
+            with self.unnoted():
+                getattr(self.namespace, name)(*args)
+
+        with self.using(again=(call.shared_by, call.pass_, call.site)):
+            getattr(self.namespace, call.name)(*(call.args if call.given is None else call.given))
         if call.compiled is not None:
             for inner in call.compiled.calls():
-                make_again(inner)
-    finally:
-        _again = None
+                self.make_again(inner)
 
+    # ---- calls of programs that do not know the seam
 
-def outermost(name: str, function: Callable[..., Any], draws: bool) -> Callable[..., Any]:
-    """Return ``function`` for a program that knows nothing of the seam, with its calls noted.
+    def outermost(self, name: str, function: GLFunction, draws: bool) -> GLFunction:
+        """Return ``function`` for a program that knows nothing of the seam, with its calls noted.
 
-    Those that PyOpenGL makes inside another call are not. The first call that ``draws``, outside
-    display lists, ends the setup.
-    """
-    noted = noting_function(name, function, by_function=True)
+        Those that PyOpenGL makes inside another call are not. The first call that ``draws``,
+        outside display lists, ends the setup.
+        """
+        noted = self.noting_function(name, function, by_function=True)
 
-    def called(*args: Any, **named: Any) -> Any:
-        global _inside
-        if _inside or _recorder is None:
-            result = None
+        def called(*args: Any, **named: Any) -> Any:
+            state = self.state
+            if self._inside or state.recorder is None:
+                result = None
+                try:
+                    result = function(*args, **named)
+                finally:
+                    for tell in self.unrecorded:
+                        tell(name, (*args, *named.values()), result, caller(sys._getframe(1)))
+                return result
+            if draws and state.pass_ == "setup" and state.open_list is None:
+                self.begin_pass("main")
+            self._inside = True
             try:
-                result = function(*args, **named)
+                return noted(*args, **named)
             finally:
-                for told in unrecorded:
-                    told(name, (*args, *named.values()), result, caller(sys._getframe(1)))
+                self._inside = False
+
+        return called
+
+    def briefly(self, name: str, function: GLFunction, noted: GLFunction) -> GLFunction:
+        """Return ``function``, which only gives numbers, with a short note if asked for.
+
+        ``noted`` notes a call where that does not say enough: in display lists, in the setup, with
+        edits, or from a library.
+        """
+
+        def called(*args: Any, **named: Any) -> Any:
+            state = self.state
+            recorder = state.recorder
+            if recorder is None:
+                return noted(*args, **named) if self.unrecorded else function(*args, **named)
+            listed = self._inside or state.open_list is not None
+            full = listed or state.edits is not None or state.pass_ == "setup"
+            frame = sys._getframe(1)
+            known = known_files.get(frame.f_code.co_filename)
+            if recorder.brief is None or full or named or not known:
+                return noted(*args, **named)
+            result = function(*args)
+            recorder.brief.append((len(recorder.calls), name, frame.f_code, frame.f_lasti, args))
             return result
-        if draws and current_pass == "setup" and _open is None:
-            begin_pass("main")
-        _inside = True
-        try:
-            return noted(*args, **named)
-        finally:
-            _inside = False
 
-    return called
+        return called
 
+    def glu_noted(self, name: str, function: GLFunction) -> GLFunction:
+        """Return a function of GLU with a note of each call, beside those it makes of OpenGL.
 
-def briefly(
-    name: str, function: Callable[..., Any], noted: Callable[..., Any]
-) -> Callable[..., Any]:
-    """Return ``function``, which only gives numbers, with a short note of each call if asked for.
+        A call that has no effect is seen by that: gluPerspective with an aspect of 0, for instance.
+        """
 
-    ``noted`` notes a call where that does not say enough: in display lists, in the setup, with
-    edits, or from a library.
-    """
+        def called(*args: Any, **named: Any) -> Any:
+            state = self.state
+            if state.recorder is None or state.open_list is not None:
+                return function(*args, **named)
+            calls = state.recorder.calls
+            site = caller(sys._getframe(1))
+            values = (*args, *named.values())
+            note = GluCall(name, values, site, state.pass_, len(calls), len(calls))
+            state.recorder.glu.append(note)
+            try:
+                return function(*args, **named)
+            finally:
+                note.end = len(calls)
 
-    def called(*args: Any, **named: Any) -> Any:
-        if _recorder is None:
-            return noted(*args, **named) if unrecorded else function(*args, **named)
-        brief, frame = _recorder.brief, sys._getframe(1)
-        full = _inside or _open is not None or _edits is not None or current_pass == "setup"
-        known = known_files.get(frame.f_code.co_filename)
-        if brief is None or full or named or not known:
-            return noted(*args, **named)
-        result = function(*args)
-        brief.append((len(_recorder.calls), name, frame.f_code, frame.f_lasti, args))
-        return result
-
-    return called
+        called.__name__, called.__doc__ = name, function.__doc__
+        return called
 
 
-def glu_noted(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function of GLU with a note of each call, beside those that it makes of OpenGL.
+class _Namespace:
+    """OpenGL's functions and enumerants as attributes; PyOpenGL is imported at the first use."""
 
-    A call that has no effect is seen by that: gluPerspective with an aspect of 0, for instance.
-    """
+    def __getattr__(self, name: str) -> Any:
+        # Code that inspects any object it meets, as pytest does, must not import OpenGL before a
+        # platform is chosen.
+        if not name.startswith(("gl", "GL")):
+            raise AttributeError(name)
+        from framelens.gl.foreign import original
 
-    def called(*args: Any, **named: Any) -> Any:
-        if _recorder is None or _open is not None:
-            return function(*args, **named)
-        calls = _recorder.calls
-        site = caller(sys._getframe(1))
-        note = GluCall(name, (*args, *named.values()), site, current_pass, len(calls), len(calls))
-        _recorder.glu.append(note)
-        try:
-            return function(*args, **named)
-        finally:
-            note.end = len(calls)
-
-    called.__name__, called.__doc__ = name, function.__doc__
-    return called
-
-
-def _begin(site: Site, name: int, mode: int) -> None:
-    global _open
-    element = drawn_now()[0]
-    _open = _lists[int(name)] = Listing(site, element, _begun[site, element])
-    _begun[site, element] += 1
-    if _edits is not None:
-        _edits.begin_list(_open)
-
-
-def _end(_: Site) -> None:
-    global _open
-    _open = None
-    if _edits is not None:
-        _edits.end_list()
-
-
-def _forget(_: Site, first: int, count: int) -> None:
-    for name in range(int(first), int(first) + int(count)):
-        _lists.pop(name, None)
-
-
-_FOLLOW: dict[str, Callable[..., None]] = {
-    "glNewList": _begin,
-    "glEndList": _end,
-    "glDeleteLists": _forget,
-}
+        value = original(name)
+        if self.__dict__ is seam.noted and callable(value) and name.startswith("gl"):
+            value = seam.noting_function(name, value)
+        self.__dict__[name] = value
+        return value
 
 
 def _executed(call: Call, base: int = 0) -> list[Listing]:
@@ -456,4 +475,24 @@ def _executed(call: Call, base: int = 0) -> list[Listing]:
     if call.name not in ("glCallList", "glCallLists"):
         return []
     names = call.args if call.name == "glCallList" else call.args[-1]
-    return [_lists[base + int(name)] for name in names if base + int(name) in _lists]
+    lists = seam.state.lists
+    return [lists[base + int(name)] for name in names if base + int(name) in lists]
+
+
+seam = Seam()
+gl: Any = seam.namespace
+unrecorded = seam.unrecorded
+
+recording = seam.recording
+edited = seam.edited
+unnoted = seam.unnoted
+noting = seam.noting
+replacing = seam.replacing
+begin_pass = seam.begin_pass
+frame_begins = seam.frame_begins
+use_lists = seam.use_lists
+lists_now = seam.lists_now
+make_again = seam.make_again
+outermost = seam.outermost
+briefly = seam.briefly
+glu_noted = seam.glu_noted
