@@ -62,6 +62,13 @@ def test_all_solutions_pass_and_the_start_does_not(
     assert report.error is None and len(failures(report)) == 1
 
 
+def test_each_mistake_still_fits_its_solution() -> None:
+    for name in NAMES:
+        code = solution(name)
+        for mistake, mutant in mutants(exercise(name)).items():
+            compile(mutant.of(code), f"{name}: {mistake}", "exec")
+
+
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.sweep(9, first=4)
 def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
