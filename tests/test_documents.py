@@ -71,7 +71,10 @@ def check_names(options: argparse.Namespace, command: str) -> None:
 
 def _views(options: argparse.Namespace) -> None:
     named = getattr(options, "views", None) or [
-        getattr(options, "view", "") or getattr(options, "target", "") or next(iter(SCENES))
+        getattr(options, "view", "")
+        or getattr(options, "target", "")
+        or getattr(options, "scene", "")
+        or next(iter(SCENES))
     ]
     kinds = []
     for name in named:
