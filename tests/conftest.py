@@ -76,15 +76,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         leave_out(
             config, items, [item for item in items if item.get_closest_marker("windows_only")]
         )
-    if not config.getoption("--all"):
+    named = any("::" in word for word in config.args)
+    if not named and not config.getoption("--all"):
         leave_out(config, items, not_today(items, int(os.environ["LANDSCAPE_TESTS_DAY"])))
 
 
 def not_today(items: list[pytest.Item], day: int) -> list[pytest.Item]:
-    """Return the cases of the tests marked `sweep(n, first=0)` that are not run on this day.
+    """Return what is not run on this day: after n days each test and each case has been run.
 
-    Every nth case is, at least one of them, on the next day the cases after them: after n days each
-    has been run.
+    Of a test marked `sweep(n, first=0)` every nth case is run, at least one of them; on the next
+    day the cases after them. A test marked `seldom(n, first=0)` is run on one day in n.
     """
     families: defaultdict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
@@ -92,6 +93,11 @@ def not_today(items: list[pytest.Item], day: int) -> list[pytest.Item]:
             families[item.nodeid.partition("[")[0]].append(item)
 
     rest: list[pytest.Item] = []
+    for item in items:
+        marker = item.get_closest_marker("seldom")
+        if marker is not None and (marker.kwargs.get("first", 0) + day) % marker.args[0]:
+            rest.append(item)
+
     for family in families.values():
         marker = family[0].get_closest_marker("sweep")
         assert marker is not None

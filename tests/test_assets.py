@@ -380,6 +380,7 @@ def test_a_jpeg_keeps_its_colours_at_full_resolution(studio: Any) -> None:
     assert off.mean() < 8, "half the colours would be lost in columns of one texel"
 
 
+@pytest.mark.seldom(3)
 def test_two_processes_make_the_same_bytes_as_one(studio: Any) -> None:
     names = ["blade.png", "castle_light.png"]
     assert dict(studio.make_all(names)) == {name: studio.make(name) for name in names}

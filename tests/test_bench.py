@@ -306,6 +306,7 @@ GROWTH = 1 << 19  # chosen: bytes per 50 frames; what the grass of all views tak
 
 @pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
+@pytest.mark.seldom(5)
 def test_300_frames_of_changing_views_leak_neither_memory_nor_objects() -> None:
     settings = SMALL_BEST
     command = [sys.executable, "-c", LONG_RUN, str(TESTS), json.dumps(settings)]
@@ -346,6 +347,7 @@ def test_frames_are_those_of_a_walk() -> None:
     assert [moment.walking for moment in drawn] == [True, True]
 
 
+@pytest.mark.seldom(4, first=1)
 def test_brightness_and_contrast_are_timed_both_ways_in_the_hall_alone() -> None:
     options = bench.Options(("hall_contrast",), (64, 48), rounds=1, starts=0)
     names: list[str] = []

@@ -206,6 +206,7 @@ except NoOpenGLError as error:
     assert said.startswith("this OpenGL is ") and "for software, install" in said
 
 
+@pytest.mark.seldom(3, first=1)
 def test_every_command_takes_software_for_a_backend(tmp_path: Path) -> None:
     for words in (["render", "fig35a", "--size", "32x24", "--only", "sky"], ["lesson", "triangle"]):
         out = tmp_path / f"{words[0]}.png"

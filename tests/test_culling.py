@@ -45,6 +45,7 @@ def test_the_picture_is_the_same_as_with_everything_drawn(both, view: str) -> No
 
 
 @pytest.mark.slow
+@pytest.mark.seldom(4)
 def test_a_coarser_mirror_image_changes_only_the_water_and_only_a_little(both) -> None:
     fine, _ = both
     with Offscreen(SIZE, "best", {**FEW, "reflection.lod_scale": 8.0}, samples=0) as coarse:

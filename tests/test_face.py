@@ -427,6 +427,7 @@ except landscape.InputError:
 
 
 @pytest.mark.parametrize("backend", ["osmesa", "egl"])
+@pytest.mark.seldom(3)
 def test_an_offscreen_can_be_dropped_at_any_moment(backend: str) -> None:
     steps = [f"{code}\nassert good(), {name!r}" for name, code in DROPS.items()]
     done = python("\n".join([START, *steps, "print('good')"]), backend)
@@ -458,6 +459,7 @@ print(peak() - before)
 
 
 @pytest.mark.posix_only("Python does not tell there how much memory a process takes")
+@pytest.mark.seldom(4, first=3)
 def test_twenty_dropped_offscreens_take_no_more_memory_than_a_few(tmp_path: Path) -> None:
     small_textures(tmp_path)
     done = python(MEMORY, str(tmp_path))

@@ -126,6 +126,7 @@ def test_results_are_ranked_for_each_environment_by_frames_a_second(tmp_path: Pa
     assert [line.rsplit(" ", 1)[1] for line in first[2:]] == ["fast.json", "slow.json"]
 
 
+@pytest.mark.seldom(4, first=2)
 def test_a_benchmark_s_result_can_be_ranked(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -148,6 +149,7 @@ def test_what_is_no_result_is_not_ranked(content: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("mode", ["lines", "filled"])
+@pytest.mark.seldom(4, first=3)
 def test_a_flight_keeps_no_memory_from_frame_to_frame(mode: str) -> None:
     from landscape.settings.declare import with_settings
 

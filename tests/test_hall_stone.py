@@ -102,6 +102,7 @@ def test_every_line_of_sight_ends_on_the_front_of_stone_or_leaves_by_an_opening(
 
 
 @pytest.mark.parametrize("height", [0.06, 0.20, 0.50])
+@pytest.mark.seldom(3, first=2)
 def test_a_pillar_shows_no_inside_from_any_side(height: float) -> None:
     corners = triangles(pillar(0.0, 0.0))
     for turn in np.radians([3.0, 25.0, 48.0]):

@@ -9,7 +9,10 @@ from folded import each
 
 
 def case(test: str, number: int, marker: Any) -> Any:
-    return SimpleNamespace(nodeid=f"{test}[{number}]", get_closest_marker=lambda name: marker)
+    def closest(name: str) -> Any:
+        return marker if marker is not None and marker.name == name else None
+
+    return SimpleNamespace(nodeid=f"{test}[{number}]", get_closest_marker=closest)
 
 
 def cases(test: str, count: int, every: int, first: int = 0) -> list[Any]:
@@ -35,6 +38,11 @@ def test_sweeps_through_one_list_take_other_cases_of_it_on_each_day() -> None:
     for day in range(4):
         numbers = [name.partition("[")[2] for name in left(items, day)]
         assert sorted(numbers) == [f"{number}]" for number in range(6)]
+
+
+def test_a_seldom_test_runs_on_one_day_in_n() -> None:
+    items = [case("test_long", 0, pytest.mark.seldom(3, first=1).mark)]
+    assert [len(left(items, day)) for day in range(6)] == [0, 0, 1, 0, 0, 1]
 
 
 def test_other_tests_always_run() -> None:
