@@ -42,7 +42,7 @@ def draw_ball():
 
 def draw_row(row):
     y = 1.95 - 1.95 * row
-    kc, kl, kq = ((1, 0, 0), (constant, 0.5, 0), (constant, 0, 0.25))[row]
+    kc, kl, kq = attenuation(row)
     glLightfv(GL_LIGHT0, GL_POSITION, (lamp, y, 1, 1))
     glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, kc)
     glLightf(GL_LIGHT0, GL_LINEAR_ATTENUATION, kl)
@@ -57,12 +57,35 @@ def draw_row(row):
         glPopMatrix()
         write(-30, -18, "f {f:.2f}", at=(x, y - 0.62, 0), f=1 / (kc + kl * d + kq * d * d))
 
+    draw_lamp(y)
+
+
+def attenuation(row):
+    """Return the three constants of a row: constant, linear and quadratic."""
+    if row == 0:
+        return 1, 0, 0
+    if row == 1:
+        return constant, 0.5, 0
+    return constant, 0, 0.25
+
+
+def draw_lamp(y):
     glDisable(GL_LIGHTING)
     glColor3f(1, 1, 0.8)
     glBegin(GL_POINTS)
     glVertex3f(lamp, y, 1)
     glEnd()
     glEnable(GL_LIGHTING)
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glPointSize(height / 53)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-3.3 * width / height, 3.3 * width / height, -3.65, 3.05, -2, 2)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
 
 
 def on_key(window, key, scancode, action, mods):
@@ -92,14 +115,7 @@ def main():
     glClearColor(0.08, 0.1, 0.13, 1)
 
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glPointSize(height / 53)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glOrtho(-3.3 * width / height, 3.3 * width / height, -3.65, 3.05, -2, 2)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         for row in range(3):
             draw_row(row)

@@ -56,6 +56,15 @@ def draw_pane(color, angle):
     glEnd()
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-2 * width / height, 2 * width / height, -2, 2, -1, 1)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+
+
 def on_key(window, key, scancode, action, mods):
     global backward, chosen
     if glfw.KEY_1 <= key < glfw.KEY_1 + len(LABELS):
@@ -79,13 +88,7 @@ def main():
     glClearColor(0.13, 0.16, 0.21, 1)
 
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glOrtho(-2 * width / height, 2 * width / height, -2, 2, -1, 1)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT)
         draw_wall()
         glEnable(GL_BLEND)

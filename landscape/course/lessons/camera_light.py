@@ -73,14 +73,20 @@ def look(width, height):
     glMatrixMode(GL_MODELVIEW)
 
 
+def walk(distance):
+    global x, z
+    x -= distance * math.sin(math.radians(heading))
+    z -= distance * math.cos(math.radians(heading))
+
+
 def on_key(window, key, scancode, action, mods):
-    global carried, heading, x, z
+    global carried, heading
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        step = 0.5 if key == glfw.KEY_UP else -0.5
-        x -= step * math.sin(math.radians(heading))
-        z -= step * math.cos(math.radians(heading))
+    if key == glfw.KEY_UP:
+        walk(0.5)
+    if key == glfw.KEY_DOWN:
+        walk(-0.5)
     if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
         heading += 10 if key == glfw.KEY_LEFT else -10
     if key == glfw.KEY_SPACE:

@@ -59,6 +59,19 @@ def draw_scene():
         glPopMatrix()
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    top = near * 0.4
+    glFrustum(-top * width / height, top * width / height, -top, top, near, 100)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0.3, 0.25, -7)
+    glRotatef(25 * math.sin(glfw.get_time() * math.pi / 2), 0, 1, 0)
+    glRotatef(-20, 1, 0, 0)
+
+
 def on_key(window, key, scancode, action, mods):
     global near, tested
     if key == glfw.KEY_SPACE and action == glfw.PRESS:
@@ -86,17 +99,7 @@ def main():
             glEnable(GL_DEPTH_TEST)
         else:
             glDisable(GL_DEPTH_TEST)
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        top = near * 0.4
-        glFrustum(-top * width / height, top * width / height, -top, top, near, 100)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0.3, 0.25, -7)
-        glRotatef(25 * math.sin(glfw.get_time() * math.pi / 2), 0, 1, 0)
-        glRotatef(-20, 1, 0, 0)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_scene()
 

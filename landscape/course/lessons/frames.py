@@ -97,6 +97,15 @@ def draw_axes():
         write(3, 0, "xyz"[axis.index(1)], at=axis)
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glLineWidth(height / 240)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-2.9 * width / height, 2.9 * width / height, -2.9, 2.9, 1, 50)
+    glMatrixMode(GL_MODELVIEW)
+
+
 def on_key(window, key, scancode, action, mods):
     global placed, shown, turned
     if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT) and action != glfw.RELEASE:
@@ -124,12 +133,7 @@ def main():
 
     while not glfw.window_should_close(window):
         width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glLineWidth(height / 240)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glOrtho(-2.9 * width / height, 2.9 * width / height, -2.9, 2.9, 1, 50)
-        glMatrixMode(GL_MODELVIEW)
+        look(width, height)
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
 
         # Each part in its own frame.

@@ -91,17 +91,26 @@ def draw(width, height):
     array = make_array()
     bottom = int(228 * (height // 480 or height / 480))  # above the bytes
     glViewport(0, bottom, width, height - bottom)
-    reach = 1.9 * width / (height - bottom)
+    look(width / (height - bottom))
+    draw_tetrahedron(array)
+
+    glViewport(0, 0, width, height)
+    draw_bytes(array, width, height)
+    write_calls(array)
+
+
+def look(aspect):
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
-    glOrtho(-reach, reach, -1.9, 1.9, -10, 10)
+    glOrtho(-1.9 * aspect, 1.9 * aspect, -1.9, 1.9, -10, 10)
     glMatrixMode(GL_MODELVIEW)
     glLoadIdentity()
     glRotatef(25, 1, 0, 0)
     glRotatef(-35, 0, 1, 0)
-    draw_tetrahedron(array)
-    glViewport(0, 0, width, height)
-    draw_bytes(array, width, height)
+
+
+def write_calls(array):
+    """Write the two calls as they are made, with the numbers that they are given."""
     stride = array.itemsize if told else 0
     name = POSITION_TYPES[position][1]
     write(16, 64, "glVertexPointer(3, {name}, {stride}, first)", BLUE, name=name, stride=stride)

@@ -64,6 +64,16 @@ def draw_grid():
         write(0, -6, "n = {n}", at=(-4.6, place[1], 0), n=n)
 
 
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-4 * width / height, 4 * width / height, -4, 4, 6, 10)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0.3, 0.1, -8)
+
+
 def on_key(window, key, scancode, action, mods):
     if key in (glfw.KEY_1, glfw.KEY_2, glfw.KEY_3) and action == glfw.PRESS:
         on[key - glfw.KEY_1] = not on[key - glfw.KEY_1]
@@ -89,14 +99,7 @@ def main():
     glClearColor(0.13, 0.16, 0.21, 1)
 
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glOrtho(-4 * width / height, 4 * width / height, -4, 4, 6, 10)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glTranslatef(0.3, 0.1, -8)
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_grid()
         for n in range(3):

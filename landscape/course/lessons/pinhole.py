@@ -59,14 +59,19 @@ def draw():
     for origin, seen in zip(origins, images, strict=True):
         draw_shape(GL_LINES, (origin, seen), (0.95, 0.62, 0.35))
     draw_shape(GL_POINTS, (house[0], images[0], (0, 0, 0)), (0.95, 0.9, 0.8))
+    write_names(house[0], images[0])
+
+
+def write_names(point, seen):
+    """Write the names in the drawing, and the numbers of a point and of its image."""
     write(-18, -10, "O", at=(0, 0, 0))
     write(8, -10, "z", at=(0, 0, 8.5))
-    write(8, -10, "P", at=house[0])
-    write(8, -10, "P'", at=images[0])
+    write(8, -10, "P", at=point)
+    write(8, -10, "P'", at=seen)
     write(8, -10, "f = {f}", at=(-1.6, 1.5, f), f=f)
-    write(16, 64, "P: {x:.1f}, {y:.1f}, {z:.1f}", x=house[0][0], y=house[0][1], z=z)
-    write(16, 40, "X = x = {X:.2f}" if parallel else "X = f x/z = {X:.2f}", X=images[0][0])
-    write(16, 16, "Y = y = {Y:.2f}" if parallel else "Y = f y/z = {Y:.2f}", Y=images[0][1])
+    write(16, 64, "P: {x:.1f}, {y:.1f}, {z:.1f}", x=point[0], y=point[1], z=z)
+    write(16, 40, "X = x = {X:.2f}" if parallel else "X = f x/z = {X:.2f}", X=seen[0])
+    write(16, 16, "Y = y = {Y:.2f}" if parallel else "Y = f y/z = {Y:.2f}", Y=seen[1])
 
 
 def on_key(window, key, scancode, action, mods):

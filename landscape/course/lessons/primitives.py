@@ -53,6 +53,13 @@ def draw_kind(kind, vertices):
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
 
 
+def write_numbers(vertices, x, y):
+    """Write the number of each vertex outside it, seen from the middle x, y."""
+    for number, (u, v) in enumerate(vertices):
+        out = 1 + 13 / math.hypot(u - x, v - y)
+        write(x + out * (u - x) - 5, y + out * (v - y) - 10, "{number}", number=number)
+
+
 def draw():
     width, height = glfw.get_framebuffer_size(glfw.get_current_context())
     scale = height // 480 or height / 480  # of the pixels that write counts in
@@ -69,11 +76,10 @@ def draw():
         y = up / 2 + 10
         right = across / 2 - 24
         top = up / 2 - 36
-        outline = [(x + u * right, y + v * top) for u, v in (AROUND if around else ZIGZAG)]
-        draw_kind(kind, outline[:count])
-        for number, (u, v) in enumerate(outline[:count]):
-            out = 1 + 13 / math.hypot(u - x, v - y)
-            write(x + out * (u - x) - 5, y + out * (v - y) - 10, "{number}", number=number)
+        order = AROUND if around else ZIGZAG
+        vertices = [(x + u * right, y + v * top) for u, v in order[:count]]
+        draw_kind(kind, vertices)
+        write_numbers(vertices, x, y)
         write(x - 5 * len(name), 4, "{name}", (0.95, 0.9, 0.8), name=name)
 
     glViewport(0, 0, width, height)

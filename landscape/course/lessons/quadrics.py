@@ -26,6 +26,7 @@ from text import _, write
 
 STYLES = ((GLU_FILL, "GLU_FILL"), (GLU_LINE, "GLU_LINE"), (GLU_POINT, "GLU_POINT"))
 NORMALS = ((GLU_SMOOTH, "GLU_SMOOTH"), (GLU_FLAT, "GLU_FLAT"), (GLU_NONE, "GLU_NONE"))
+SPHERE, CYLINDER, CONE, DISK, PARTIAL_DISK = range(5)
 LABELS = ("gluSphere", "gluCylinder", "a cone", "gluDisk", "gluPartialDisk")
 style = 0
 normals = 0
@@ -42,13 +43,13 @@ def make_texture():
 
 
 def draw_quadric(quadric, number):
-    if number == 0:
+    if number == SPHERE:
         gluSphere(quadric, 0.9, slices, slices // 2)
-    elif number == 1:
+    elif number == CYLINDER:
         gluCylinder(quadric, 0.7, 0.7, 1.5, slices, 4)  # radius at z = 0, at the top, height
-    elif number == 2:
+    elif number == CONE:
         gluCylinder(quadric, 0.9, 0, 1.6, slices, 4)
-    elif number == 3:
+    elif number == DISK:
         gluDisk(quadric, 0.35, 1, slices, 2)  # inner and outer radius
     else:
         gluPartialDisk(quadric, 0.35, 1, slices, 2, 40, 250)  # from 40 degrees, 250 degrees wide
@@ -61,14 +62,14 @@ def draw_shapes():
     gluQuadricTexture(quadric, textured)
     if textured:
         glEnable(GL_TEXTURE_2D)
-    if normals == 2:
+    if NORMALS[normals][0] == GLU_NONE:
         glNormal3f(0, 0, 1)  # one for all, as the quadric gives none
     for number in range(5):
         glPushMatrix()
         glTranslatef(*place(number), 0)
         glRotatef(-58, 1, 0, 0)  # z, the axis of all quadrics, now points upwards
         glRotatef(25, 0, 0, 1)
-        if number in (1, 2):
+        if number in (CYLINDER, CONE):
             glTranslatef(0, 0, -0.75)
         draw_quadric(quadric, number)
         glPopMatrix()
@@ -79,7 +80,20 @@ def draw_shapes():
 
 def place(number):
     """Return where a shape is: three in the upper row, two in the lower one."""
-    return 2.6 * (number % 3) - (2.6, 1.3)[number // 3], 1.25 - 2.5 * (number // 3)
+    if number < 3:
+        return 2.6 * number - 2.6, 1.25
+    return 2.6 * (number - 3) - 1.3, -1.25
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glPointSize(height / 160)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-3 * width / height, 3 * width / height, -3.4, 2.6, -3, 3)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, (-0.6, 0.8, 1, 0))
 
 
 def on_key(window, key, scancode, action, mods):
@@ -119,15 +133,7 @@ def main():
     make_texture()
 
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glPointSize(height / 160)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glOrtho(-3 * width / height, 3 * width / height, -3.4, 2.6, -3, 3)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glLightfv(GL_LIGHT0, GL_POSITION, (-0.6, 0.8, 1, 0))
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         draw_shapes()
         for number, label in enumerate(LABELS):

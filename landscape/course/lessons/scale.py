@@ -48,7 +48,9 @@ def draw_sphere(radius):
 
 def place(n):
     """Return where ball n is: three in the upper row, two in the lower one."""
-    return 2.1 * (n % 3) - (2.1, 1.05)[n // 3], 1.3 - 2.3 * (n // 3)
+    if n < 3:
+        return 2.1 * n - 2.1, 1.3
+    return 2.1 * (n - 3) - 1.05, 1.3 - 2.3
 
 
 def draw_balls():
@@ -58,6 +60,16 @@ def draw_balls():
         glScalef(*scale)
         # The meshes of the first row are as large, before they are scaled, as makes them equal.
         draw_sphere(0.8 / abs(scale[0]) if n < 3 else 0.8)
+
+
+def look(width, height):
+    glViewport(0, 0, width, height)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-2.7 * width / height, 2.7 * width / height, -2.9, 2.5, -2, 2)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glLightfv(GL_LIGHT0, GL_POSITION, (-0.5, 0.8, 1, 0))
 
 
 def on_key(window, key, scancode, action, mods):
@@ -84,14 +96,7 @@ def main():
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.85, 0.35, 0.2, 1))
 
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glOrtho(-2.7 * width / height, 2.7 * width / height, -2.9, 2.5, -2, 2)
-        glMatrixMode(GL_MODELVIEW)
-        glLoadIdentity()
-        glLightfv(GL_LIGHT0, GL_POSITION, (-0.5, 0.8, 1, 0))
+        look(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         for capability in (GL_RESCALE_NORMAL, GL_NORMALIZE):
             if mode == capability:

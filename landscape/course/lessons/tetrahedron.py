@@ -57,6 +57,11 @@ def draw():
     draw_faces()
     glDisable(GL_CULL_FACE)
     draw_edges(FACES[chosen])
+    write_tables()
+
+
+def write_tables():
+    """Write the number of each vertex beside it, and the numbers of each face."""
     for number, vertex in enumerate(VERTICES):
         write(-5, -10, "{number}", at=[1.12 * part for part in vertex], number=number)
     for number, face in enumerate(FACES):
@@ -69,13 +74,17 @@ def on_key(window, key, scancode, action, mods):
     global angle, chosen
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT):
-        angle += 10 if key == glfw.KEY_RIGHT else -10
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        chosen = (chosen + (1 if key == glfw.KEY_DOWN else -1)) % 4
-    if key == glfw.KEY_SPACE:
+    if key == glfw.KEY_LEFT:
+        angle -= 10
+    elif key == glfw.KEY_RIGHT:
+        angle += 10
+    elif key == glfw.KEY_UP:
+        chosen = (chosen - 1) % len(FACES)
+    elif key == glfw.KEY_DOWN:
+        chosen = (chosen + 1) % len(FACES)
+    elif key == glfw.KEY_SPACE:
         FACES[chosen].reverse()
-    if key == glfw.KEY_ESCAPE:
+    elif key == glfw.KEY_ESCAPE:
         glfw.set_window_should_close(window, True)
 
 

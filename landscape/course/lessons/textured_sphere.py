@@ -92,7 +92,7 @@ def main():
     glfw.set_key_callback(window, on_key)
     for capability in (GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0):
         glEnable(capability)
-    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (1, 1, 1, 1))  # the texture has the colors
+    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (1, 1, 1, 1))  # the texture has the colours
     glClearColor(0.04, 0.05, 0.08, 1)
     make_texture()
 

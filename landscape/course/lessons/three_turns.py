@@ -27,6 +27,15 @@ PICTURES = (
     (0, 0, "camera", "R V T P"),
     (1, 0, "world", "V R T P"),
 )
+AXES = (("x", (2.9, 0, 0)), ("y", (0, 1.9, 0)), ("z", (0, 0, 1.6)))
+GABLE = ((-0.5, -0.4), (0.5, -0.4), (0.5, 0.3), (0, 0.8), (-0.5, 0.3))
+HOUSE_COLORS = (
+    (0.55, 0.36, 0.2),
+    (0.75, 0.5, 0.28),
+    (0.85, 0.35, 0.2),
+    (0.7, 0.28, 0.16),
+    (0.55, 0.36, 0.2),
+)
 LABELS = {
     "nowhere": "not turned",
     "object": "in its own frame",
@@ -56,10 +65,11 @@ def go_to_house(place):
 def draw_world():
     """Draw the axes, and a floor on which the house stands."""
     glBegin(GL_LINES)
-    for tip in ((2.9, 0, 0), (0, 1.9, 0), (0, 0, 1.6)):
+    for _name, tip in AXES:
         glColor3f(*(0.45 + 0.5 * (value > 0) for value in tip))
         glVertex3f(0, 0, 0)
         glVertex3f(*tip)
+
     glColor3f(0.26, 0.31, 0.38)
     for n in range(-2, 7):
         for x, z in ((n / 2, -1), (n / 2, 1.5)):
@@ -67,25 +77,25 @@ def draw_world():
         for x in (-1, 3):
             glVertex3f(x, -0.4, min(n, 3) / 2)
     glEnd()
-    for name, tip in (("x", (2.9, 0, 0)), ("y", (0, 1.9, 0)), ("z", (0, 0, 1.6))):
+    for name, tip in AXES:
         write(3, 0, "{name}", at=tip, name=name)
 
 
 def draw_house():
     """Draw a house around its own origin, 1 wide and deep, with a roof along z."""
-    wall = ((-0.5, -0.4), (0.5, -0.4), (0.5, 0.3), (0, 0.8), (-0.5, 0.3))
-    for z in (-0.5, 0.5):
+    for z in (-0.5, 0.5):  # the two gables
         glColor3f(0.95, 0.62, 0.35)
         glBegin(GL_POLYGON)
-        for x, y in wall:
+        for x, y in GABLE:
             glVertex3f(x, y, z)
         glEnd()
-    shades = ((0.55, 0.36, 0.2), (0.75, 0.5, 0.28), (0.85, 0.35, 0.2), (0.7, 0.28, 0.16))
+
+    # From each side of the gable to the next: floor, wall, two sides of the roof, wall.
     glBegin(GL_QUADS)
-    for number, shade in enumerate((*shades, (0.55, 0.36, 0.2))):
-        x0, y0 = wall[number]
-        x1, y1 = wall[(number + 1) % 5]
-        glColor3f(*shade)
+    for number, color in enumerate(HOUSE_COLORS):
+        x0, y0 = GABLE[number]
+        x1, y1 = GABLE[(number + 1) % 5]
+        glColor3f(*color)
         for x, y, z in ((x0, y0, 0.5), (x0, y0, -0.5), (x1, y1, -0.5), (x1, y1, 0.5)):
             glVertex3f(x, y, z)
     glEnd()

@@ -62,7 +62,7 @@ def draw_arm():
 
 
 def draw_block(colors):
-    """Draw a block around the origin, 1.8 long; its ends at +x and -x have other colors."""
+    """Draw a block around the origin, 1.8 long; its ends at +x and -x have other colours."""
     glBegin(GL_QUADS)
     for axis, shade in ((0, 0.85), (1, 1), (2, 0.7)):
         for side in (-1, 1):
@@ -72,6 +72,24 @@ def draw_block(colors):
                 x, y, z = ((side, u, v), (u, side, v), (u, v, side))[axis]
                 glVertex3f(0.9 * x, 0.25 * y, 0.45 * z)
     glEnd()
+
+
+def draw_way():
+    """Draw the block in lines where it was on its way, every 30 degrees."""
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
+    for turned in range(0, angle, 30 if angle > 0 else -30):
+        place_block(turned)
+        draw_block(((0.5, 0.55, 0.6), (0.8, 0.8, 0.75), (0.5, 0.55, 0.6)))
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
+
+
+def set_projection(width, height):
+    glViewport(0, 0, width, height)
+    glLineWidth(height / 240)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glOrtho(-3 * width / height, 3 * width / height, -3, 3, -20, 20)
+    glMatrixMode(GL_MODELVIEW)
 
 
 def on_key(window, key, scancode, action, mods):
@@ -98,22 +116,12 @@ def main():
     glClearColor(0.13, 0.16, 0.21, 1)
 
     while not glfw.window_should_close(window):
-        width, height = glfw.get_framebuffer_size(window)
-        glViewport(0, 0, width, height)
-        glLineWidth(height / 240)
-        glMatrixMode(GL_PROJECTION)
-        glLoadIdentity()
-        glOrtho(-3 * width / height, 3 * width / height, -3, 3, -20, 20)
-        glMatrixMode(GL_MODELVIEW)
+        set_projection(*glfw.get_framebuffer_size(window))
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
         look()
         draw_floor()
         draw_arm()
-        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE)
-        for turned in range(0, angle, 30 if angle > 0 else -30):
-            place_block(turned)
-            draw_block(((0.5, 0.55, 0.6), (0.8, 0.8, 0.75), (0.5, 0.55, 0.6)))
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL)
+        draw_way()
         place_block(angle)
         draw_block(((0.85, 0.35, 0.2), (0.95, 0.9, 0.8), (0.95, 0.62, 0.35)))
 

@@ -67,8 +67,10 @@ def on_key(window, key, scancode, action, mods):
     global vertices, each
     if action == glfw.RELEASE:
         return
-    if key in (glfw.KEY_UP, glfw.KEY_DOWN):
-        vertices = max(3, vertices + (1 if key == glfw.KEY_UP else -1))
+    if key == glfw.KEY_UP:
+        vertices += 1
+    if key == glfw.KEY_DOWN:
+        vertices = max(3, vertices - 1)
     if key == glfw.KEY_SPACE:
         each = not each
     if key == glfw.KEY_ESCAPE:

@@ -83,14 +83,19 @@ def draw_outside():
     draw_arrow(CAMERA_LIGHT, carried)
     glTranslatef(0, 0, DISTANCE)
     draw_axes(0.9)
+    draw_camera()
+    glPopMatrix()
+
+
+def draw_camera():
+    """Draw the camera as a pyramid, with its tip at the eye."""
     glColor3f(0.95, 0.9, 0.8)
-    glBegin(GL_LINES)  # the camera: a pyramid, with its tip at the eye
+    glBegin(GL_LINES)
     for x, y in ((-0.4, -0.3), (0.4, -0.3), (0.4, 0.3), (-0.4, 0.3)):
         glVertex3f(0, 0, 0)
         glVertex3f(x, y, -0.8)
     glEnd()
     write(-30, -24, "camera", at=(0, 0, 0))
-    glPopMatrix()
 
 
 def set_projection(angle, aspect):

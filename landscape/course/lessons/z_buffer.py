@@ -69,25 +69,49 @@ def make_picture():
     return colors, depths
 
 
+def draw_pixel(column, row, color):
+    """Draw a pixel of the grid as a square, with a gap around it."""
+    glColor3f(*color)
+    glRectf(column + 0.04, row + 0.04, column + 0.96, row + 0.96)
+
+
+def draw_colors(colors):
+    for row in range(ROWS):
+        for column in range(COLUMNS):
+            draw_pixel(column, row, colors[row][column])
+    write(0, 8, "colours", (0.95, 0.9, 0.8), at=(0, ROWS, 0))
+
+
+def draw_depths(depths):
+    """Draw the depths as shades of grey, and write them into the pixels of triangles."""
+    for row in range(ROWS):
+        for column in range(COLUMNS):
+            depth = depths[row][column]
+            shade = 0.95 - 0.085 * depth
+            draw_pixel(column, row, (shade, shade, shade))
+            if depth < FAR:
+                ink = (0, 0, 0) if shade > 0.5 else (1, 1, 1)
+                middle = (column + 0.5, row + 0.5, 0)
+                write(-5, -10, "{digit}", ink, at=middle, digit=int(depth))
+    write(0, 8, "depths", (0.95, 0.9, 0.8), at=(0, ROWS, 0))
+
+
+def set_grid(left, bottom, width, height):
+    """Let a viewport show the grid, with half a pixel beside it."""
+    glViewport(left, bottom, width, height)
+    glLoadIdentity()
+    tall = (COLUMNS + 1) * height / width
+    glOrtho(-0.5, COLUMNS + 0.5, (ROWS - tall) / 2, (ROWS + tall) / 2, -1, 1)
+
+
 def draw(width, height):
     colors, depths = make_picture()
     bottom = int(90 * (height // 480 or height / 480))  # above the text
     half = width // 2
-    for left, deep in ((0, False), (half, True)):
-        glViewport(left, bottom, half, height - bottom)
-        glLoadIdentity()
-        tall = (COLUMNS + 1) * (height - bottom) / half
-        glOrtho(-0.5, COLUMNS + 0.5, (ROWS - tall) / 2, (ROWS + tall) / 2, -1, 1)
-        for row in range(ROWS):
-            for column in range(COLUMNS):
-                shade = 0.95 - 0.085 * depths[row][column]
-                glColor3f(*((shade, shade, shade) if deep else colors[row][column]))
-                glRectf(column + 0.04, row + 0.04, column + 0.96, row + 0.96)
-                if deep and depths[row][column] < FAR:
-                    ink = (0, 0, 0) if shade > 0.5 else (1, 1, 1)
-                    digit = int(depths[row][column])
-                    write(-5, -10, "{digit}", ink, at=(column + 0.5, row + 0.5, 0), digit=digit)
-        write(0, 8, "depths" if deep else "colours", (0.95, 0.9, 0.8), at=(0, ROWS, 0))
+    set_grid(0, bottom, half, height - bottom)
+    draw_colors(colors)
+    set_grid(half, bottom, half, height - bottom)
+    draw_depths(depths)
 
     glViewport(0, 0, width, height)
     write(16, 64, "{count} triangles", count=count)
