@@ -381,9 +381,6 @@ def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
 
 def lists(survey: Survey) -> Iterator[Suspect]:
     """A glCallList of a list that is empty or does not exist."""
-    from framelens.gl.seam import lists_now
-
-    known = lists_now()
     for call in survey.calls:
         if call.name != "glCallList" or call.listed:
             continue
@@ -398,7 +395,6 @@ def lists(survey: Survey) -> Iterator[Suspect]:
                 value=int(call.args[0]),
                 values={"list": int(call.args[0]), "other": number},
             )
-        del known
         return
 
 

@@ -163,24 +163,14 @@ def _dark(survey: Survey, mine: Sequence[Drawn]) -> bool:
     return bool(np.percentile(seen, 99.5) < 70)
 
 
-def normals(survey: Survey) -> Iterator[Suspect]:
-    """Normals that are missing, or not of length 1."""
-    mine = lit(survey)
-    bare = []
-    for draw in mine:
-        found = draw.vertices
-        if found is None or found.normals is not None or found.mode in LINES:
-            continue
-        if draw.setter("GL_CURRENT_NORMAL") is None and not draw.state["GL_NORMAL_ARRAY"]:
-            bare.append(draw)
-
-    bare = [d for d in bare if d.covered and d.call.name in WITH_VERTICES]
+def no_normals(survey: Survey) -> Iterator[Suspect]:
+    """Lit shapes without a normal."""
+    bare = [draw for draw in lit(survey) if _bare(draw)]
     if bare:
-        change = _with_normals(bare)
         yield Suspect(
             "no-normals",
             at=bare[0].call,
-            change=change,
+            change=_with_normals(bare),
             strength=80,
             state="GL_CURRENT_NORMAL",
             value=[round(float(v), 3) for v in bare[0].state["GL_CURRENT_NORMAL"]],
@@ -188,46 +178,55 @@ def normals(survey: Survey) -> Iterator[Suspect]:
             draws=bare,
         )
 
-    scaled = []
-    factor = 1.0
-    for draw in mine:
-        if draw.state["GL_NORMALIZE"] or draw.state["GL_RESCALE_NORMAL"]:
-            continue
-        matrix = matrix_of(draw, "GL_MODELVIEW")[:3, :3]
-        if not np.isfinite(matrix).all() or abs(np.linalg.det(matrix)) < 1e-12:
-            continue
-        inverse = np.linalg.inv(matrix)
-        found = draw.vertices
-        given = (
-            found.normals
-            if found is not None and found.normals is not None
-            else np.array([draw.state["GL_CURRENT_NORMAL"][:3]])
-        )
-        shaped = draw.call.name.startswith("glut")
-        vectors = np.eye(3) if shaped else np.asarray(given, float)
-        lengths = np.linalg.norm(vectors @ inverse.T, axis=1)
-        lengths = lengths[np.isfinite(lengths)]
-        if lengths.size and (np.median(lengths) < 0.6 or np.median(lengths) > 1.6):
-            scaled.append(draw)
-            factor = float(np.median(lengths))
 
-    if scaled:
-        chain = scaled[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
-        scale = next((c for c in reversed(chain) if c.name.startswith("glScale")), None)
-        found = scaled[0].vertices
-        given_call = scaled[0].setter("GL_CURRENT_NORMAL")
-        yield Suspect(
-            "normals-length",
-            at=scale or given_call or scaled[0].call,
-            change=on("GL_NORMALIZE", scaled),
-            strength=82,
-            state="GL_NORMALIZE",
-            value=False,
-            values={"length": round(factor, 2)},
-            draws=scaled,
-        )
+def _bare(draw: Drawn) -> bool:
+    """Return whether faces are drawn, and no normal was ever given for them."""
+    found = draw.vertices
+    if found is None or found.normals is not None or found.mode in LINES:
+        return False
+    if not draw.covered or draw.call.name not in WITH_VERTICES:
+        return False
+    return draw.setter("GL_CURRENT_NORMAL") is None and not draw.state["GL_NORMAL_ARRAY"]
 
-    yield from _inward(survey, mine)
+
+def normals_length(survey: Survey) -> Iterator[Suspect]:
+    """Normals whose length a scale changes, where light is computed."""
+    lengths = [(draw, _normal_length(draw)) for draw in lit(survey)]
+    scaled = [(draw, length) for draw, length in lengths if not 0.6 <= length <= 1.6]
+    if not scaled:
+        return
+    first, _ = scaled[0]
+    chain = first.setters.chained.get("GL_MODELVIEW_MATRIX", [])
+    scale = next((call for call in reversed(chain) if call.name.startswith("glScale")), None)
+    yield Suspect(
+        "normals-length",
+        at=scale or first.setter("GL_CURRENT_NORMAL") or first.call,
+        change=on("GL_NORMALIZE", [draw for draw, _ in scaled]),
+        strength=82,
+        state="GL_NORMALIZE",
+        value=False,
+        values={"length": round(scaled[-1][1], 2)},
+        draws=[draw for draw, _ in scaled],
+    )
+
+
+def _normal_length(draw: Drawn) -> float:
+    """Return the median length of a draw's normals in the eye's space, 1 where it is not known."""
+    if draw.state["GL_NORMALIZE"] or draw.state["GL_RESCALE_NORMAL"]:
+        return 1.0
+    matrix = matrix_of(draw, "GL_MODELVIEW")[:3, :3]
+    if not np.isfinite(matrix).all() or abs(np.linalg.det(matrix)) < 1e-12:
+        return 1.0
+
+    found = draw.vertices
+    vectors = np.array([draw.state["GL_CURRENT_NORMAL"][:3]], float)
+    if draw.call.name.startswith("glut"):
+        vectors = np.eye(3)
+    elif found is not None and found.normals is not None:
+        vectors = np.asarray(found.normals, float)
+    lengths = np.linalg.norm(vectors @ np.linalg.inv(matrix).T, axis=1)
+    lengths = lengths[np.isfinite(lengths)]
+    return float(np.median(lengths)) if lengths.size else 1.0
 
 
 LINES = ("GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP", "GL_POINTS")
@@ -284,8 +283,9 @@ def _as_triangles(draw: Drawn, normal_of: dict[int, tuple[float, ...]]) -> Any:
     return act
 
 
-def _inward(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
-    """Yield that normals point away from the eye on all that is seen."""
+def normals_away(survey: Survey) -> Iterator[Suspect]:
+    """Normals that point away from the eye on all that is seen."""
+    mine = lit(survey)
     wrong: list[Drawn] = []
     for group in survey.same(mine):
         sides = [_sides(draw) for draw in group]
@@ -539,8 +539,6 @@ def _moves(past: Any, look: GluCall) -> bool:
     """Return whether the camera of an earlier frame stood elsewhere."""
     if past.frame == 0:
         return False
-    former = past.first.get("GL_MODELVIEW_MATRIX")
-    del former
     matrices = [
         np.ravel(np.asarray(c.args[0], np.float64))
         for c in past.setters.chained.get("GL_MODELVIEW_MATRIX", [])
@@ -560,4 +558,11 @@ def _moves(past: Any, look: GluCall) -> bool:
     return any(np.abs(m[rotation] - now[rotation]).max() > 1e-4 for m in matrices)
 
 
-RULES = (lights, normals, materials, moving_light)
+RULES = (
+    lights,
+    no_normals,
+    normals_length,
+    normals_away,
+    materials,
+    moving_light,
+)

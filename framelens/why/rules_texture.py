@@ -74,8 +74,6 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
         width, height, channels, pixels = image
         row = width * channels
         padded = -(-row // alignment) * alignment
-        restore = _upload_again(call, texture, call.args[8], alignment)
-        del restore
         if padded != row and pixels.size < padded * (height - 1) + row:
             if pixels.size >= row * height:
                 yield Suspect(

@@ -21,7 +21,6 @@ INSIDE = (
     *("glMultiTexCoord", "glFogCoord", "glEdgeFlag", "glArrayElement", "glEval", "glMaterial"),
     *("glCallList", "glEnd", "glGetError"),
 )
-DEFAULTS_BLACK = 0
 
 
 def before_context(survey: Survey) -> Iterator[Suspect]:
@@ -195,20 +194,15 @@ def refused(survey: Survey) -> Iterator[Suspect]:
         )
 
 
-def shown(survey: Survey) -> Iterator[Suspect]:
-    """A frame that the window never shows."""
+def not_shown(survey: Survey) -> Iterator[Suspect]:
+    """A frame that is never swapped, or of a single buffer and never flushed."""
     past = survey.past
-    if past is None or past.error is not None:
+    if past is None or past.error is not None or not survey.draws:
         return
     showing, doubled = past.showing, past.window.double_buffered
-    calls = survey.calls
-    drawing = [call for call in calls if call.name not in ("glFlush", "glFinish")]
-    last = drawing[-1] if drawing else None
-    pixels = int(changed(survey.base, np.zeros_like(survey.base)).sum())
-
-    if not survey.draws:
-        pass
-    elif showing.way == "never" or (showing.way == "callback" and doubled):
+    last = _last_drawing(survey)
+    function = last.site.function if last else ""
+    if showing.way == "never" or (showing.way == "callback" and doubled):
         yield Suspect(
             "no-swap",
             at=last,
@@ -216,11 +210,8 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             strength=99,
             state="GL_DOUBLEBUFFER",
             value=True,
-            values={
-                "function": last.site.function if last else "",
-                "swap": SWAPS[past.window.toolkit],
-            },
-            pixels=pixels,
+            values={"function": function, "swap": SWAPS[past.window.toolkit]},
+            pixels=_drawn_pixels(survey),
         )
     elif showing.way == "callback" and not showing.flushed:
         yield Suspect(
@@ -230,15 +221,33 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             strength=98,
             state="GL_DOUBLEBUFFER",
             value=False,
-            values={"function": last.site.function if last else ""},
-            pixels=pixels,
+            values={"function": function},
+            pixels=_drawn_pixels(survey),
         )
 
+
+def _last_drawing(survey: Survey) -> Call | None:
+    """Return the frame's last call that is no flush."""
+    drawing = [call for call in survey.calls if call.name not in ("glFlush", "glFinish")]
+    return drawing[-1] if drawing else None
+
+
+def _drawn_pixels(survey: Survey) -> int:
+    """Return how many pixels the frame does not leave black."""
+    return int(changed(survey.base, np.zeros_like(survey.base)).sum())
+
+
+def front_buffer(survey: Survey) -> Iterator[Suspect]:
+    """A frame drawn into the front buffer, which the swap then replaces."""
+    past = survey.past
+    if past is None or past.error is not None or past.showing.way != "swap":
+        return
     setter = past.setters.last.get("GL_DRAW_BUFFER")
-    for call in calls:
+    for call in survey.calls:
         if call.name == "glDrawBuffer":
             setter = call
-    if doubled and setter is not None and int(setter.args[0]) in FRONT and showing.way == "swap":
+
+    if past.window.double_buffered and setter is not None and int(setter.args[0]) in FRONT:
         yield Suspect(
             "front-buffer",
             at=setter,
@@ -246,9 +255,16 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             strength=97,
             state="GL_DRAW_BUFFER",
             value="GL_FRONT",
-            pixels=pixels or survey.base[..., 0].size,
+            pixels=_drawn_pixels(survey) or survey.base[..., 0].size,
         )
 
+
+def swapped_twice(survey: Survey) -> Iterator[Suspect]:
+    """A second swap with nothing drawn before it: the window shows the other buffer."""
+    past = survey.past
+    if past is None or past.error is not None:
+        return
+    showing = past.showing
     if showing.way == "swap" and showing.again and not survey.draws and survey.tape.before:
         yield Suspect(
             "swapped-twice",
@@ -260,19 +276,26 @@ def shown(survey: Survey) -> Iterator[Suspect]:
             source=f"{past.source.rpartition('/')[2]}:{showing.line}",
         )
 
-    if showing.forced and showing.stirred and survey.tape.before is not None:
-        former = survey.tape.before.color[::-1, :, :3]
-        if former.shape == survey.base.shape:
-            moved = int(changed(former, survey.base).sum())
-            if moved:
-                yield Suspect(
-                    "no-redisplay",
-                    at=last,
-                    change=None,
-                    strength=95,
-                    values={"function": last.site.function if last else ""},
-                    pixels=moved,
-                )
+
+def no_redisplay(survey: Survey) -> Iterator[Suspect]:
+    """A picture that would change, and that nothing asks to draw again."""
+    past = survey.past
+    if past is None or past.error is not None or survey.tape.before is None:
+        return
+    if not (past.showing.forced and past.showing.stirred):
+        return
+    former = survey.tape.before.color[::-1, :, :3]
+    moved = int(changed(former, survey.base).sum()) if former.shape == survey.base.shape else 0
+    if moved:
+        last = _last_drawing(survey)
+        yield Suspect(
+            "no-redisplay",
+            at=last,
+            change=None,
+            strength=95,
+            values={"function": last.site.function if last else ""},
+            pixels=moved,
+        )
 
 
 SWAPS = {
@@ -280,4 +303,12 @@ SWAPS = {
     "pygame": "pygame.display.flip()",
     "glut": "glutSwapBuffers()",
 }
-RULES = (before_context, begin_and_end, refused, shown)
+RULES = (
+    before_context,
+    begin_and_end,
+    refused,
+    not_shown,
+    front_buffer,
+    swapped_twice,
+    no_redisplay,
+)
