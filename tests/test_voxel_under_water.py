@@ -9,9 +9,13 @@ import pytest
 from test_voxel_water import PLAIN, SIZE, SMALL, cube_of, fill, rays, read_target
 
 from framelens.gl.seam import recording
+from landscape.files.assets import Assets
 from landscape.offscreen import Offscreen
+from landscape.scene.scene import find_view, raised
+from landscape.settings.declare import with_settings
 from landscape.voxel.fresnel import reflectance, reflectance_beneath
 from landscape.voxel.under_water import murk, sight
+from landscape.voxel.voxel import SCENE, Ground
 
 BED = (0.4, 0.55, 0.4, 135.0, -5.0)
 UPWARDS = (0.4, 0.55, 0.4, 135.0, 60.0)
@@ -116,3 +120,15 @@ def test_the_block_aimed_at_under_water_is_framed(pose: tuple[float, ...]) -> No
     assert len(rows) > 20
     # The frame surrounds the middle of the picture, where the cross-hair is.
     assert rows.min() < SIZE[1] / 2 < rows.max() and columns.min() < SIZE[0] / 2 < columns.max()
+
+
+def test_the_view_from_below_stays_below_unless_nothing_is_to_be_seen_there() -> None:
+    _, view = find_view("voxel_below")
+    assets = Assets()
+    for below, stays in ((True, True), (False, False)):
+        ground = Ground(with_settings(SCENE.settings, {"water.below": below}), assets)
+        pose = raised(view.pose, ground, ground.settings.walk.eye)
+        surface = ground.settings.voxel.sea * ground.settings.voxel.block
+        assert (pose == view.pose) == stays
+        assert (pose.y < surface) == stays
+    assert ground.bed(20.0, 24.0) == ground.height(20.0, 24.0) > surface, "on land they are equal"

@@ -64,9 +64,22 @@ class Ground:
 
     def height(self, x: float, z: float) -> float:
         """Return the height in units of the ground's blocks at x, z, or of the water over them."""
+        values = self.settings.voxel
+        return max(self._top(x, z), values.sea) * values.block
+
+    def bed(self, x: float, z: float) -> float:
+        """Return the height in units of the ground's blocks at x, z, under water as well.
+
+        It is the water's where nothing is to be seen from below.
+        """
+        below = self.settings.water.below
+        return self._top(x, z) * self.settings.voxel.block if below else self.height(x, z)
+
+    def _top(self, x: float, z: float) -> int:
+        """Return the number of blocks in the column at x, z."""
         block, last = self.settings.voxel.block, len(self.heights.field) - 1
         i, k = (int(min(max(each / block, 0), last)) for each in (x, z))
-        return max(self.heights.top(i, k), self.settings.voxel.sea) * block
+        return self.heights.top(i, k)
 
 
 class Shore(NamedTuple):

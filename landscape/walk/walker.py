@@ -116,6 +116,7 @@ def start(pose: Pose, ground: Terrain, settings: Any) -> Walker:
     y = at_eye = float(ground.height(pose.x, pose.z)) + settings.walk.eye
     if (
         isinstance(ground, Diveable)
+        and not isinstance(ground, Embodied)
         and pose.y is not None
         and ground.bed(pose.x, pose.z) < pose.y < float(ground.height(pose.x, pose.z))
     ):
