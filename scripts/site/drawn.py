@@ -10,6 +10,7 @@ from pathlib import Path
 
 from PIL import Image
 
+from framelens.base.errors import InputError
 from framelens.base.texts import LANGUAGES
 from framelens.gl.seam import Call
 from framelens.program.program_frame import ProgramFrame
@@ -79,14 +80,25 @@ def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
     target = ProgramFrame(str(found.file), frame=found.frame, limit=LIMIT)
     calls = target.look(all_calls)
     draws = sum(call.name in ("glBegin", "glEnd") or "Draw" in call.name for call in calls)
-    by = "draw" if draws // 2 <= STRIP_STEPS else "element"
     sheet = folder / f"{name}-strip.png"
-    strips.make(target, strips.Request(by, language=language), sheet)
+    _draw_strip(target, language, sheet, draws // 2)
     Image.open(sheet).convert("RGB").save(sheet.with_suffix(".webp"), quality=QUALITY)
     sheet.unlink()
     return [
         Seen(call.name, name, call.source) for call in calls if call.site.path == str(found.file)
     ]
+
+
+def _draw_strip(target: ProgramFrame, language: str, sheet: Path, draws: int) -> None:
+    """Draw a frame's strip as finely as a sheet has room for: by draws, functions or passes."""
+    finest = ("draw",) if draws <= STRIP_STEPS else ()
+    for by in (*finest, "element"):
+        try:
+            strips.make(target, strips.Request(by, language=language), sheet)
+            return
+        except InputError:
+            continue  # too many pictures for one sheet
+    strips.make(target, strips.Request("pass", language=language), sheet)
 
 
 def draw_exercise(name: str, folder: Path) -> list[Seen]:
