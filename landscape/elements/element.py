@@ -78,8 +78,8 @@ class Slot:
     ``kinds`` are the classes that may fill it, the finest first; the first that serves is built, if
     any does. ``shown_by`` names the elements, as users know them, of which it is a part: the slot's
     name, unless others are given. It is built if one of ``built_for`` may be shown (``shown_by``
-    unless others are given), and all of ``beside``. Others are built from a ``base``, so it is
-    never built again alone. ``build`` is for what only the scene knows.
+    unless others are given), and all of ``beside``; or ``always``. Others are built from a
+    ``base``, so it is never built again alone. ``build`` is for what only the scene knows.
     """
 
     name: str
@@ -87,6 +87,7 @@ class Slot:
     shown_by: tuple[str, ...] = ()
     built_for: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
+    always: bool = False
     base: bool = False
     build: Callable[[Site[Any]], Element[Any]] | None = None
 
@@ -101,6 +102,8 @@ class Slot:
 
     def may_show(self, only: Collection[str]) -> bool:
         """Return whether it is to be built where only these elements may be shown."""
+        if self.always:
+            return True
         needed = self.built_for or self.names
         return any(name in only for name in needed) and all(name in only for name in self.beside)
 

@@ -9,10 +9,13 @@ What is wrong without: switch ``shadow.far``.
 """
 
 import math
+from typing import Self
 
 import numpy as np
 
 from landscape.elements import sun
+from landscape.elements.element import Site
+from landscape.voxel.land import Land
 from landscape.voxel.settings import Settings
 from landscape.voxel.shadow_map import ShadowMap
 from landscape.voxel.sun_view import light_matrix
@@ -22,6 +25,16 @@ HIGHER = 10.0  # units, chosen: room towards the sun for what stands on the land
 
 class FarShadowMap(ShadowMap):
     """The sun's picture of depths of a land with sides of ``size`` units."""
+
+    @classmethod
+    def serves(cls, settings: Settings) -> bool:
+        """Return whether the sun casts shadows on far land, too."""
+        return super().serves(settings) and settings.shadow.far
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it for the land."""
+        return cls(site.settings, site.elements[Land].world.size)
 
     def __init__(self, settings: Settings, size: float) -> None:
         """Make the depth texture."""

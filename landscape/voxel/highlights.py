@@ -22,6 +22,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, matrix
 from framelens.gl.texture import Texture, mip_levels
 from landscape.elements import sun
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.gl.cube_map import CubeMap, face_directions, generate, texture_matrix
@@ -61,8 +62,13 @@ def sun_faces(towards: np.ndarray, colour: np.ndarray, strength: float) -> np.nd
     return np.rint(255.0 * np.clip(light, 0.0, 1.0)).astype(np.uint8)
 
 
-class Highlights:
+class Highlights(Element[Settings]):
     """Owner of the glossy tiles and of the cube map."""
+
+    @classmethod
+    def serves(cls, settings: Settings) -> bool:
+        """Return whether there are highlights."""
+        return settings.voxel.highlights > 0.0
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Upload both."""
@@ -81,7 +87,7 @@ class Highlights:
         colour = np.array(settings.sun.diffuse)
         return CubeMap(sun_faces(towards, colour, settings.voxel.highlights), mipmaps=False)
 
-    def draw(self, frame: Frame, land: Land, choice: Choice, shadow: ShadowMap | None) -> None:
+    def draw_over(self, frame: Frame, land: Land, choice: Choice, shadow: ShadowMap | None) -> None:
         """Add the highlights of the nearby regions of a choice, which have just been drawn."""
         choice = choice.only(choice.shares < len(land.low))
         lit = NORMALS @ sun.direction(self.settings.sun) > 0.0
@@ -131,15 +137,14 @@ class Highlights:
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "TEXTURE"})
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply settings, with another cube map for another sun."""
+    def take(self, settings: Settings) -> None:
+        """Take other settings, with another cube map for another sun."""
         now = self.settings
         if (now.sun, now.voxel.highlights) != (settings.sun, settings.voxel.highlights):
             other = self._made(settings)
             self._sun.release()
             self._sun = other
         self.settings = settings
-        return True
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""

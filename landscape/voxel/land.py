@@ -10,14 +10,15 @@ What is wrong without: switches ``voxel.cull``, ``voxel.facing``, ``voxel.merge`
 """
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Hashable, Mapping, Sequence
+from typing import NamedTuple, Self
 
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, matrix
 from framelens.gl.texture import Texture, mip_levels
+from landscape.elements.element import Element, Site
 from landscape.files.assets import Assets
 from landscape.gl.display_list import DisplayList
 from landscape.voxel.blocks import TILES
@@ -79,12 +80,28 @@ class Around(NamedTuple):
     order: np.ndarray
 
 
-class Land:
+def light_from(settings: Settings) -> tuple[object, ...]:
+    """Return the settings that the colours of the faces depend on."""
+    return settings.sun, settings.shadow.color, settings.voxel.slope
+
+
+class Land(Element[Settings]):
     """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units.
 
     ``version`` grows whenever the meshes for far change, which shadows are drawn with; ``touched``
     are boxes, in units, of the blocks that have done so since it was last emptied.
     """
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the world, its meshes and its textures are made of, but for their light."""
+        names = (*BUILT, "mipmaps", "crisp", "buffers", "vertex_arrays")
+        return *(getattr(settings.voxel, name) for name in names), settings.shadow.enabled
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it by the seed."""
+        return cls(site.settings, site.assets, site.seed)
 
     def __init__(self, settings: Settings, assets: Assets, seed: int) -> None:
         """Build the world or recall it, upload its meshes and the tiles."""
@@ -229,7 +246,7 @@ class Land:
         ways = facing(self.low[regions], self.high[regions], away)
         return Choice(regions, regions + FAR * len(self.low), ways)
 
-    def draw(self, choice: Choice, fog_by_height: bool = False) -> None:
+    def draw_regions(self, choice: Choice, fog_by_height: bool = False) -> None:
         """Draw the regions of a choice, textured, in the current state of fog and shadows."""
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups), matrix(), self.buffer.bound(fog_by_height):
@@ -329,21 +346,11 @@ class Land:
             if self._lit_otherwise():
                 self.buffer.relight(self._light())
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False if the land must be built again.
-
-        Another light needs no other meshes, only other colours.
-        """
-        now, then = self.settings, settings
-        names = (*BUILT, "mipmaps", "crisp", "buffers", "vertex_arrays")
-        changed = [name for name in names if getattr(now.voxel, name) != getattr(then.voxel, name)]
-        if changed or now.shadow.enabled != then.shadow.enabled:
-            return False
-        self.settings = settings
-        before, after = ((each.sun, each.shadow.color, each.voxel.slope) for each in (now, then))
-        if before != after:
+    def take(self, settings: Settings) -> None:
+        """Take other settings: another light needs no other meshes, only other colours."""
+        former, self.settings = self.settings, settings
+        if light_from(former) != light_from(settings):
             self.buffer.relight(self._light())
-        return True
 
     def _lit_otherwise(self) -> bool:
         """Return whether the light is not that in which the meshes are made."""

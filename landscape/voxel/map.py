@@ -8,11 +8,14 @@ State used: viewport, both matrices, GL_TEXTURE_2D; depth test and fog off.
 What is not drawn: blocks that change while the map is shown; off and on again, it has them.
 """
 
+from typing import Self
+
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection
 from framelens.gl.texture import Texture
+from landscape.elements.element import Element, Site
 from landscape.elements.map import place_on_map
 from landscape.files.assets import Assets
 from landscape.frame import Frame
@@ -73,27 +76,31 @@ def map_picture(world: World, assets: Assets) -> np.ndarray:
     return whole
 
 
-class Map:
+class Map(Element[Settings]):
     """The map and the walker's arrow."""
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build the map of the land."""
+        return cls(site.settings, site.assets, site.elements[Land])
 
     def __init__(self, settings: Settings, assets: Assets, land: Land) -> None:
         """Draw no picture yet: changed blocks may follow."""
-        self._settings = settings
+        self.settings = settings
         self._assets = assets
         self._land = land
         self._texture: Texture | None = None
         self._shows = 0  # the land's version of which the picture is
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return True."""
+    def take(self, settings: Settings) -> None:
+        """Take other settings; an old picture of the land that is no longer shown is deleted."""
         if not settings.overlay.map and self._shows != self._land.version:
             self.release()
-        self._settings = settings
-        return True
+        self.settings = settings
 
     def draw(self, frame: Frame) -> None:
         """Draw the map in its own viewport, if it is on."""
-        if not self._settings.overlay.map:
+        if not self.settings.overlay.map:
             return
         if self._texture is None:
             self._texture = Texture(map_picture(self._land.world, self._assets), repeat=False)

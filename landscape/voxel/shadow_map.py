@@ -17,8 +17,9 @@ What is wrong without: ``shadow.offset`` (faces shade themselves in stripes), ``
 (edges crawl). Beyond the square there are only the shadows of far_shadows.py.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
+from typing import Self
 
 import numpy as np
 
@@ -26,6 +27,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, flat_projection
 from framelens.gl.texture import Texture
 from landscape.elements import sun
+from landscape.elements.element import Element, Site
 from landscape.gl.depth_target import DepthTarget
 from landscape.gl.display_list import DisplayList
 from landscape.voxel.settings import Settings
@@ -39,8 +41,23 @@ WHOLE: Share = 0, 1
 LEFT = 3 * STEP  # texels, chosen: so far from its middle a picture is drawn whole, at once
 
 
-class ShadowMap:
+class ShadowMap(Element[Settings]):
     """The sun's picture of depths, and the state that draws with it."""
+
+    @classmethod
+    def serves(cls, settings: Settings) -> bool:
+        """Return whether the sun casts shadows."""
+        return settings.shadow.enabled
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.shadow.size
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it; it needs no files."""
+        return cls(site.settings)
 
     def __init__(self, settings: Settings) -> None:
         """Make the depth texture."""
@@ -208,16 +225,12 @@ class ShadowMap:
             self._state.call()
             yield
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False if the texture must be made again."""
-        if settings.shadow.size != self.settings.shadow.size:
-            return False
-        other = settings.shadow.color != self.settings.shadow.color
-        self.settings = settings
-        if other:
+    def take(self, settings: Settings) -> None:
+        """Take other settings; the picture is drawn again."""
+        if settings.shadow.color != self.settings.shadow.color:
             self._forget_state()
+        self.settings = settings
         self._version = None
-        return True
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""

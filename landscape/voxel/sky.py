@@ -15,6 +15,7 @@ import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, matrix
+from landscape.elements.element import Element
 from landscape.elements.sky_box import FACES, set_files
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
@@ -92,7 +93,7 @@ def colours(settings: Settings) -> tuple[object, ...]:
     return settings.sky, settings.fog.color, settings.water.horizon
 
 
-class Sky:
+class Sky(Element[Settings]):
     """The sky around the eye."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
@@ -140,14 +141,13 @@ class Sky:
             self._list.call()
             gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply settings, with another cube map for another sky; InputError for its pictures."""
+    def take(self, settings: Settings) -> None:
+        """Take other settings, with another cube map for another sky; InputError for its files."""
         if self._map is not None and colours(settings) != colours(self.settings):
             other = CubeMap(self._faces(settings), mipmaps=False)
             self._map.release()
             self._map = other
         self.settings = settings
-        return True
 
     def release(self) -> None:
         """Delete the cube map and the list; may be called twice."""

@@ -5,13 +5,14 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from framelens.gl.seam import begin_pass, drawing, gl
 from framelens.gl.state import attrib
 from landscape.elements import sun
+from landscape.elements.element import Elements, Slot
 from landscape.elements.settings import Fog
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
@@ -82,6 +83,18 @@ class Ground:
         return self.heights.top(i, k)
 
 
+# Everything stands on the land. Two pictures of the sun's are of the land, too.
+SLOTS = (
+    Slot("land", (Land,), always=True, base=True),
+    Slot("shadow", (ShadowMap,), shown_by=("land",)),
+    Slot("far shadow", (FarShadowMap,), shown_by=("land",)),
+    Slot("highlights", (Highlights,), shown_by=("land",)),
+    Slot("water", (Water,)),
+    Slot("sword", (Sword,)),
+    Slot("map", (Map,)),
+)
+
+
 class Shore(NamedTuple):
     """The water in view: its height in units, and points of it (n, 3)."""
 
@@ -101,32 +114,16 @@ class Voxel(Played, Ground):
         settings = supported(settings)
         Ground.__init__(self, settings, assets)
         Played.__init__(self, assets, seed)
-        self.shown = set(only)
+        self.elements = Elements(settings, assets, seed, only)
         self._under = False  # whether the eye is under water
-        self._owned: list[Any] = []
         self.textures, self.outside = TexturesView(), OutsideView(assets)
-        try:
-            begin_pass("setup")
-
+        with self.elements.building():
             # First, since it takes much memory for a moment, and the land from then on.
-            self.sky = self._built(("sky",), Sky, settings, assets)
+            self.elements.build(Slot("sky", (Sky,)))
             give_back()
-            with drawing("land"):  # always built: everything stands on it
-                self.land = Land(settings, assets, seed)
-                self._owned.append(self.land)
-            shadowed = ("land",) if settings.shadow.enabled else ()
-            self.shadow = self._built(shadowed, ShadowMap, settings)
-            shadowed = shadowed if settings.shadow.far else ()
-            self.far_shadow = self._built(shadowed, FarShadowMap, settings, self.land.world.size)
-            shiny = ("land",) if settings.voxel.highlights else ()
-            self.highlights = self._built(shiny, Highlights, settings, assets)
-            self.water = self._built(("water",), Water, settings, assets)
-            self.sword = self._built(("sword",), Sword, settings, assets)
-            self.map = self._built(("map",), Map, settings, assets, self.land)
+            self.elements.build(*SLOTS)
             give_back()
-        except BaseException:
-            self.release()
-            raise
+        self.land = self.elements[Land]
 
     def roof(self, x: float, z: float) -> float:
         """Return the height in units of the highest block at x, z, or of the water."""
@@ -135,41 +132,39 @@ class Voxel(Played, Ground):
         top = int(np.flatnonzero(blocks[i, k]).max(initial=-1)) + 1
         return max(top * block, self.height(x, z))
 
-    def _built(self, names: tuple[str, ...], kind: type, *given: Any) -> Any:
-        """Build an element if any of its names may be shown; otherwise return None."""
-        if self.shown.isdisjoint(names):
-            return None
-        with drawing(*names):
-            element = kind(*given)
-        self._owned.append(element)
-        return element
+    @property
+    def shown(self) -> set[str]:
+        """The names of the elements to draw; may be changed between frames."""
+        return self.elements.shown
+
+    @shown.setter
+    def shown(self, names: set[str]) -> None:
+        self.elements.shown = names
 
     def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False, changing nothing, if an element must be built again.
+        """Apply settings; return False, changing nothing, if the land must be built again.
 
         InputError, changing nothing either, for a file that cannot be used.
         """
         settings = supported(settings)
-        shadow = settings.shadow
-        if self.far_shadow is None and self.shadow is not None and shadow.far:
+        if self.elements.apply(settings) is None:
             return False
-        if self.highlights is None and settings.voxel.highlights:
-            return False
-        taken: list[Any] = []
-        done = False
-        try:
-            for element in self._owned:
-                if not element.apply(settings):
-                    return False
-                taken.append(element)
-            done = True
-        finally:
-            if not done:
-                for each in taken:
-                    each.apply(self.settings)
-
         self.settings = settings
         return True
+
+    @property
+    def water(self) -> Water | None:
+        """The water, if it was built."""
+        return self.elements.get(Water)
+
+    @property
+    def _water_shown(self) -> Water | None:
+        return self.water if "water" in self.shown else None
+
+    @property
+    def shadow(self) -> ShadowMap | None:
+        """The sun's picture of the land around the eye, if the sun casts shadows."""
+        return self.elements.get(ShadowMap)
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
@@ -190,22 +185,23 @@ class Voxel(Played, Ground):
         shore = self._shore(frame)
 
         # Without pictures the ground under water is seen through it.
-        opaque = shore is not None and self.water.images is not None
+        water = self._water_shown
+        opaque = water is not None and shore is not None and water.images is not None
         part = UNDER if self._under else ABOVE if opaque else ALL
         with self._side_of_eye(part), attrib(gl.GL_POLYGON_BIT):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
             self._draw_land(frame, clip, part, behind_hills=moment.wireframe or self._under)
         if not self._under:  # or the surface is in front of all of it
-            self._draw("sky", self.sky, frame)
+            self.elements.draw("sky", frame)
         yield frame
-        if shore and self._visible(frame):
-            self._draw_images(frame, clip, shore.level)
+        if water and shore and self._visible(frame, water):
+            self._draw_images(frame, clip, water)
             yield frame
             begin_pass("water")
             with drawing("water"):
                 depth = self.depth(shore)
                 fades_into = haze.color if self._under else ()
-                self.water.draw(frame, clip, shore.points, depth, fades_into)
+                water.draw_surface(frame, clip, shore.points, depth, fades_into)
 
         begin_pass("overlay")
         self.draw_aimed_at(frame)
@@ -216,28 +212,28 @@ class Voxel(Played, Ground):
         """Draw cross-hair, sword and map, which cover everything."""
         self.draw_crosshair(frame)
         if not self.settings.debug.textures:  # it would cover the last of them
-            self._draw("sword", self.sword, frame)
-        self._draw("map", self.map, frame)
+            self.elements.draw("sword", frame)
+        self.elements.draw("map", frame)
 
     @property
     def refracts(self) -> bool:
         """Whether one sees through the water what lies under it, and flatter than it is."""
-        if self.water is None or self.water.images is None or "water" not in self.shown:
-            return False
-        return self.settings.water.refraction
+        water = self._water_shown
+        return water is not None and water.images is not None and self.settings.water.refraction
 
     def _is_under(self, pose: Pose) -> bool:
         """Return whether the eye is under water, and sees the surface from beneath."""
-        if self.water is None or "water" not in self.shown or not self.settings.water.below:
+        water = self._water_shown
+        if water is None or not self.settings.water.below:
             return False
         assert pose.y is not None
-        return self.water.images is not None and pose.y < self.water.level
+        return water.images is not None and pose.y < water.level
 
     def _side_of_eye(self, part: Part) -> AbstractContextManager[None]:
         """Return the clip plane that leaves of the land what is on the eye's side of the water."""
         if part == ALL:
             return nullcontext()
-        return clipped(self.water.level, above=part == ABOVE)
+        return clipped(self.elements[Water].level, above=part == ABOVE)
 
     def _haze(self, pose: Pose) -> Fog:
         """Return the fog of the land: from high above it has the colour of the sea's haze.
@@ -278,17 +274,19 @@ class Voxel(Played, Ground):
             eye = frame.eye
             near, far = self._detail(frame)
             if frame.mirrored:
-                eye = np.array([eye[0], mirrored_height(eye[1], self.water.level), eye[2]])
+                eye = np.array(
+                    [eye[0], mirrored_height(eye[1], self.elements[Water].level), eye[2]]
+                )
             reach = sight(self.settings) if part == UNDER and self._under else math.inf
             choice = self.land.choose(clip, eye, self._around, near, far, part, reach)
             if not behind_hills:
                 choice = self.land.without_hidden(choice, eye)
             for shadow, some in self._by_shadow(choice):
                 with shadow.applied() if shadow else nullcontext():
-                    self.land.draw(some, fog_by_height=below)
-                shiny = self.highlights is not None and self.settings.voxel.highlights
-                if shiny and not (frame.mirrored or below):
-                    self.highlights.draw(frame, self.land, some, shadow)
+                    self.land.draw_regions(some, fog_by_height=below)
+                highlights = self.elements.get(Highlights)
+                if highlights and not (frame.mirrored or below):
+                    highlights.draw_over(frame, self.land, some, shadow)
 
     def _detail(self, frame: Frame) -> tuple[float, float]:
         """Return how far land is drawn with the meshes for near, and then for far, in units.
@@ -302,17 +300,18 @@ class Voxel(Played, Ground):
 
     def _by_shadow(self, choice: Choice) -> Iterator[tuple[ShadowMap | None, Choice]]:
         """Yield the regions that each of the sun's pictures shades; None where there is none."""
-        if not self.settings.shadow.enabled:
+        shadow, far_shadow = self.shadow, self.elements.get(FarShadowMap)
+        if shadow is None:
             yield None, choice
             return
         low, high = (ends[choice.regions] for ends in (self.land.low, self.land.high))
-        near = self.shadow.covers(low, high)
-        if self.far_shadow is None or not self.settings.shadow.far or near.all():
-            yield self.shadow, choice
+        near = shadow.covers(low, high)
+        if far_shadow is None or near.all():
+            yield shadow, choice
             return
         if near.any():
-            yield self.shadow, choice.only(near)
-        yield self.far_shadow, choice.only(~near)
+            yield shadow, choice.only(near)
+        yield far_shadow, choice.only(~near)
 
     def _draw_debug(self, frame: Frame, clip: np.ndarray) -> None:
         """Draw what one may look at besides the picture: regions and textures."""
@@ -333,9 +332,9 @@ class Voxel(Played, Ground):
             if textures:
                 images = self.water.images if self.water else None
                 pictures = {
-                    "reflection": images and images.reflection,
-                    "refraction": images and images.refraction,
-                    "shadow": self.shadow.target if self.settings.shadow.enabled else None,
+                    "reflection": images.reflection if images else None,
+                    "refraction": images.refraction if images else None,
+                    "shadow": self.shadow.target if self.shadow else None,
                 }
                 draw = partial(land.draw_shapes, choice)
                 self.textures.draw(frame, pictures, draw, values.picture)
@@ -348,7 +347,7 @@ class Voxel(Played, Ground):
         towards = sun.direction(self.settings.sun)
         begin_pass("shadow")
         with drawing("land"):
-            for shadow in filter(None, (self.shadow, self.far_shadow)):
+            for shadow in filter(None, (self.shadow, self.elements.get(FarShadowMap))):
                 shadow.update(
                     frame.eye,
                     self.land.version,
@@ -362,14 +361,13 @@ class Voxel(Played, Ground):
 
     def _shore(self, frame: Frame) -> Shore | None:
         """Return where water would be in view if nothing hid it; None if nowhere."""
-        if self.water is None or "water" not in self.shown:
-            return None
-        points = self.water.grid(frame)
-        return None if points is None else Shore(self.water.level, points)
+        water = self._water_shown
+        points = water.grid(frame) if water else None
+        return None if water is None or points is None else Shore(water.level, points)
 
-    def _visible(self, frame: Frame) -> bool:
+    def _visible(self, frame: Frame, water: Water) -> bool:
         """Return whether any water shows beside the land, which has been drawn."""
-        query = self.water.query
+        query = water.query
         if query is None or self._under:
             return True
         with drawing("water"):
@@ -377,12 +375,12 @@ class Voxel(Played, Ground):
             query.ask(frame)
             return bool(query.shows())
 
-    def _draw_images(self, frame: Frame, clip: np.ndarray, level: float) -> None:
+    def _draw_images(self, frame: Frame, clip: np.ndarray, water: Water) -> None:
         """Draw the pictures of what the water mirrors, and of what lies under it.
 
         ``clip`` is the camera's projection times modelview.
         """
-        images, block = self.water.images, self.settings.voxel.block
+        images, level, block = water.images, water.level, self.settings.voxel.block
         if images is None:
             return
         begin_pass("reflection")
@@ -407,7 +405,10 @@ class Voxel(Played, Ground):
                 )
                 return
             images.draw_refraction(
-                frame.viewport, level, block, lambda flat: self._draw_under(frame, clip @ flat)
+                frame.viewport,
+                level,
+                block,
+                lambda flat: self._draw_under(frame, clip @ flat, images.darkens),
             )
 
     def _draw_mirrored(self, frame: Frame, clip: np.ndarray) -> None:
@@ -418,13 +419,16 @@ class Voxel(Played, Ground):
         if self._under:
             return
         # The box of the sky is drawn around the eye: here around the camera under the water.
-        below = replace(frame.pose, y=mirrored_height(frame.eye_y, self.water.level))
-        self._draw("sky", self.sky, replace(frame, pose=below))
+        below = replace(frame.pose, y=mirrored_height(frame.eye_y, self.elements[Water].level))
+        self.elements.draw("sky", replace(frame, pose=below))
 
-    def _draw_under(self, frame: Frame, clip: np.ndarray) -> None:
-        """Draw what lies under the water, unless that is off: then its colour is all one sees."""
+    def _draw_under(self, frame: Frame, clip: np.ndarray, darkens: bool) -> None:
+        """Draw what lies under the water, unless that is off: then its colour is all one sees.
+
+        ``darkens`` says that it is fogged by its depth.
+        """
         if self.settings.water.refraction:
-            self._draw_land(frame, clip, UNDER, below=self.water.images.darkens)
+            self._draw_land(frame, clip, UNDER, below=darkens)
             self.draw_aimed_at(frame, beyond_water=True)
 
     def _draw_overhead(self, frame: Frame, clip: np.ndarray) -> None:
@@ -432,20 +436,13 @@ class Voxel(Played, Ground):
         if self.settings.water.refraction:
             self._draw_land(frame, clip, ABOVE)
             self.draw_aimed_at(frame, beyond_water=True)
-        self._draw("sky", self.sky, frame)
-
-    def _draw(self, name: str, element: Any, frame: Frame) -> None:
-        """Draw an element if it was built and is shown now."""
-        if element is not None and name in self.shown:
-            with drawing(name):
-                element.draw(frame)
+        self.elements.draw("sky", frame)
 
     def release(self) -> None:
         """Release the elements, last built first; may be called twice."""
         self.textures.release()
         self.outside.release()
-        while self._owned:
-            self._owned.pop().release()
+        self.elements.release()
 
 
 def clip_matrix() -> np.ndarray:

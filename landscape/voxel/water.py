@@ -14,7 +14,7 @@ With a single unit, or without framebuffer objects, the water is a plain blended
 State used: texture units 0 to 3, GL_COMBINE, the texture matrices; or GL_BLEND.
 """
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from contextlib import contextmanager
 
 import numpy as np
@@ -23,6 +23,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, combine
 from framelens.gl.texture import Texture
 from landscape.elements import sun
+from landscape.elements.element import Element
 from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.gl.cube_map import CubeMap
@@ -54,8 +55,13 @@ SHARPER = -1.0  # mip levels, chosen: farther away ripples would be too level to
 DRIFT = 0.0011  # chosen: units per kt by which it moves
 
 
-class Water:
+class Water(Element[Settings]):
     """The water of the whole map, and beyond it to the horizon."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.water.fresnel, settings.water.by_angle
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Make the textures; ``images`` is None where the water can only be a plain colour."""
@@ -93,7 +99,7 @@ class Water:
         """Return the points of the water in view (n, 3), None if there are none."""
         return water_grid(frame, self.level, self.settings.camera.far * 0.9)
 
-    def draw(
+    def draw_surface(
         self,
         frame: Frame,
         clip: np.ndarray,
@@ -237,15 +243,11 @@ class Water:
             colour = np.array([*glint_colour(self.settings.sun.diffuse), 1.0], np.float32)
             gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply settings; return False if the textures must be made again."""
-        now, then = self.settings.water, settings.water
-        if (now.fresnel, now.by_angle) != (then.fresnel, then.by_angle):
-            return False
+    def take(self, settings: Settings) -> None:
+        """Take other settings, for the pictures as well."""
         self.settings = settings
         if self.images:
             self.images.values = settings.water
-        return True
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
