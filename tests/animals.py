@@ -1,14 +1,16 @@
 """What tests of rabbit and dragon share: small meshes, a flat ground, a place in the sun."""
 
 import numpy as np
+from stage import kind_in
 
-from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
-from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
+from landscape.elements.best.animals.fine_dragon import FineDragon
+from landscape.elements.best.animals.fine_rabbit import FineRabbit
 from landscape.elements.dragon import Dragon
 from landscape.elements.rabbit import Rabbit
 from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.geometry.height_field import HeightField
+from landscape.island.slots import DRAGON, RABBIT
 
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
 
@@ -43,8 +45,8 @@ def made(
 ) -> Rabbit | FineRabbit | Dragon | FineDragon:
     """Return the "rabbit" or "dragon" that the settings describe, on flat ground."""
     if animal == "rabbit":
-        return rabbit_class(settings)(settings, assets, FLAT)
-    return dragon_class(settings)(settings, assets)
+        return kind_in(RABBIT, settings)(settings, assets, FLAT)
+    return kind_in(DRAGON, settings)(settings, assets)
 
 
 def ball() -> tuple[np.ndarray, np.ndarray]:

@@ -3,12 +3,12 @@
 from typing import Any
 
 import numpy as np
-from stage import PLAIN, WHITE_LIGHT, Stage, small
+from stage import PLAIN, WHITE_LIGHT, Stage, kind_in, small
 
-from landscape.elements.best.castle.weathered_castle import castle_class
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
+from landscape.island.slots import CASTLE
 
 FLAT = HeightField(np.full((4, 4), 2.0, np.float32), 40.0, 0.6)
 PLACED: dict[str, Any] = {"castle.x": 20.0, "castle.z": 20.0, "castle.yaw": 0.0}
@@ -32,7 +32,7 @@ def drawn(
     """
     keys = {key.replace("__", "."): value for key, value in changes.items()}
     settings = small({**WHITE_LIGHT, **PLACED, **keys})
-    castle = castle_class(settings)(settings, assets, FLAT)
+    castle = kind_in(CASTLE, settings)(settings, assets, FLAT)
     with stage.frame(settings, pose, kt, fog="fog__density" in changes) as frame:
         castle.draw(frame)
         picture = stage.read()

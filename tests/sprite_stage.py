@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from PIL import Image
-from stage import SIZE, Stage, small, write_plain
+from stage import SIZE, Stage, small, taken, write_plain
 
 from landscape.elements.atlas import CELL, CELLS
 from landscape.elements.best.sprites.refined_planting import TintedSprites
@@ -106,7 +106,7 @@ def seen(
     """Return a picture of the sprites under some settings; the state must be left as found."""
     keys = {key.replace("__", "."): value for key, value in changes.items()}
     settings = small({**WIDE, **keys})
-    assert sprites.apply(settings)
+    assert taken(sprites, settings)
     with stage.frame(settings, pose, kt, size=size) as frame:
         sprites.draw(frame)
         return stage.read()

@@ -18,8 +18,10 @@ from PIL import Image
 from framelens.gl.context import Context
 from framelens.gl.framebuffer import Framebuffer
 from framelens.gl.seam import gl
+from landscape.elements.element import Element, Slot
 from landscape.elements.settings import Settings
 from landscape.frame import Frame, Pose
+from landscape.island.slots import SLOTS
 from landscape.scene.scene import Moment, begin_frame
 from landscape.settings.declare import with_settings
 
@@ -150,6 +152,24 @@ def close(got: np.ndarray, wanted: Any, levels: float = 1.0) -> bool:
 def small(changed: Mapping[str, Any] | None = None) -> Settings:
     """Return the settings of 2006 with few objects and the given changes."""
     return with_settings(Settings(), {**SMALL, **(changed or {})})
+
+
+def taken(element: Element[Any], settings: Any) -> bool:
+    """Pass settings to an element as its scene does; return False if it would be built again."""
+    kind = type(element)
+    slot = next((slot for slot in SLOTS if kind in slot.kinds), None)
+    finer = slot.kinds[: slot.kinds.index(kind)] if slot else ()
+    if any(each.serves(settings) for each in finer):
+        return False
+    if kind.built_from(element.settings) != kind.built_from(settings):
+        return False
+    element.take(settings)
+    return True
+
+
+def kind_in(slot: Slot, settings: Any) -> Any:
+    """Return the class that draws what the settings ask for."""
+    return slot.kind(settings)
 
 
 def quad(corners: np.ndarray) -> None:

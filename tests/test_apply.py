@@ -159,10 +159,10 @@ STANDING = ("water", "castle", "rabbit", "dragon", "sprites", "grass", "sword", 
 def test_only_the_element_that_cannot_take_a_setting_is_built_again(
     base: Settings, opened: Island, stage: Stage
 ) -> None:
-    before = {name: getattr(opened, name) for name in (*STANDING, "sky")}
+    before = {name: opened.elements.at(name) for name in (*STANDING, "sky")}
     assert opened.apply(with_settings(base, {"sky.moving": not base.sky.moving}))
-    assert opened.sky is not before["sky"]
-    assert all(getattr(opened, name) is before[name] for name in STANDING)
+    assert opened.elements.at("sky") is not before["sky"]
+    assert all(opened.elements.at(name) is before[name] for name in STANDING)
     assert opened.apply(base)
 
 

@@ -7,12 +7,22 @@ import numpy as np
 import pytest
 from castles import BRICK, DOOR, FLAT, GATE, PLACED, at, drawn
 from PIL import Image
-from stage import PLAIN, WHITE_LIGHT, Stage, close, pixel, project, small, write_plain
+from stage import (
+    PLAIN,
+    WHITE_LIGHT,
+    Stage,
+    close,
+    kind_in,
+    pixel,
+    project,
+    small,
+    taken,
+    write_plain,
+)
 
 from framelens.gl.seam import gl
 from landscape.elements.best.castle.gate import CastleInOnePass
 from landscape.elements.best.castle.ornate_castle import OrnateCastle
-from landscape.elements.best.castle.weathered_castle import castle_class
 from landscape.elements.castle import Castle
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, flame_across, flame_frame
 from landscape.elements.castle_gate import light_shift
@@ -33,6 +43,7 @@ from landscape.geometry.masonry import (
     walls_mesh,
 )
 from landscape.geometry.mesh import Mesh
+from landscape.island.slots import CASTLE
 from landscape.settings.declare import with_settings
 
 LIGHT = np.array(PLAIN["castle_light.png"]) / 255
@@ -260,7 +271,7 @@ def test_mirrored_or_not_no_texture_stays_bound(
 ) -> None:
     keys = {f"castle.{key}": value for key, value in changes.items()}
     settings = small({**WHITE_LIGHT, **PLACED, **keys, "reflection.rippled": rippled})
-    castle = castle_class(settings)(settings, plain, FLAT)
+    castle = kind_in(CASTLE, settings)(settings, plain, FLAT)
     for is_mirrored in (False, True):
         with stage.frame(settings, GATE) as frame:
             castle.draw(replace(frame, mirrored=is_mirrored))
@@ -275,7 +286,7 @@ def test_the_settings_choose_the_class_of_the_castle() -> None:
         ({"castle.multitexture": True}, CastleInOnePass),
         ({"castle.ornate": True, "castle.multitexture": True}, OrnateCastle),
     ):
-        assert castle_class(small(changes)) is chosen
+        assert kind_in(CASTLE, small(changes)) is chosen
 
 
 def test_flames_turn_alike_whether_the_setting_is_built_in_or_applied_later(
@@ -287,7 +298,7 @@ def test_flames_turn_alike_whether_the_setting_is_built_in_or_applied_later(
     wanted = drawn(stage, assets, side, castle__flame_faces=True)
     castle = Castle(SETTINGS, assets, FLAT)
     settings = with_settings(SETTINGS, {"castle.flame_faces": True})
-    assert castle.apply(settings)
+    assert taken(castle, settings)
     with stage.frame(settings, side) as frame:
         castle.draw(frame)
         picture = stage.read()
@@ -300,16 +311,16 @@ def test_what_is_compiled_is_not_changed_by_settings(
     stage: Stage, plain: Assets, changes: dict[str, bool]
 ) -> None:
     settings = small({**PLACED, **{f"castle.{key}": value for key, value in changes.items()}})
-    castle = castle_class(settings)(settings, plain, FLAT)
+    castle = kind_in(CASTLE, settings)(settings, plain, FLAT)
     for key, value in (
         ("x", 21.0),
         ("yaw", 5.0),
         ("brick_repeat", 2.0),
         ("ornate", not changes.get("ornate")),
     ):
-        assert not castle.apply(with_settings(settings, {f"castle.{key}": value}))
+        assert not taken(castle, with_settings(settings, {f"castle.{key}": value}))
     lit_once = bool(changes.get("ornate"))
-    assert castle.apply(with_settings(settings, {"sun.azimuth": 200.0})) != lit_once
+    assert taken(castle, with_settings(settings, {"sun.azimuth": 200.0})) != lit_once
     castle.release()
 
 
@@ -319,7 +330,7 @@ def test_the_obstacles_are_the_walls_and_towers(
 ) -> None:
     keys = {f"castle.{key}": value for key, value in changes.items()}
     settings = small({**PLACED, "castle.yaw": -160.0, **keys})
-    castle = castle_class(settings)(settings, plain, FLAT)
+    castle = kind_in(CASTLE, settings)(settings, plain, FLAT)
     found = castle.obstacles()
     castle.release()
     assert len(found) == 8

@@ -12,35 +12,26 @@ from typing import Any
 import numpy as np
 import pytest
 from gl_state import changes, snapshot
-from stage import SIZE, SMALL, SMALL_BEST, Stage, live_names, write_plain, write_ply
+from stage import SIZE, SMALL, SMALL_BEST, Stage, kind_in, live_names, write_plain, write_ply
 
 from framelens.base.errors import InputError
 from framelens.gl.seam import gl, recording
 from framelens.gl.state import attrib, client_arrays, flat_projection, front_faces, matrix
 from landscape.elements import sun
 from landscape.elements.atlas import CELLS
-from landscape.elements.best import meadow, sprites
-from landscape.elements.best.animals.fine_dragon import dragon_class
-from landscape.elements.best.animals.fine_rabbit import rabbit_class
-from landscape.elements.best.castle.weathered_castle import castle_class
-from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.mist.bay_mist import BayMist
 from landscape.elements.best.sea.sea import Sea
-from landscape.elements.best.sprites.refined_sprites import RefinedSprites
-from landscape.elements.best.sword.steel_blade import sword_class
-from landscape.elements.best.terrain.terrain import ground_class
-from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
 from landscape.elements.map import Map
 from landscape.elements.reflection import mirrored
 from landscape.elements.settings import PRESETS, Settings, preset
 from landscape.elements.sky_box import SkyBox
-from landscape.elements.transparent_elements import TransparentElements
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.island.island import Island
+from landscape.island.slots import CASTLE, DRAGON, GRASS, GROUND, PLANTED, RABBIT, SWORD
 from landscape.scene.scene import Moment, begin_frame
 from landscape.settings.declare import with_settings
 
@@ -56,27 +47,25 @@ LAKE = HeightField(np.zeros((4, 4), np.float32), 40.0, 3.0)
 
 Build = Callable[[Settings, Assets, Ground], Any]
 ELEMENTS: dict[str, Build] = {
-    "ground": lambda settings, assets, ground: ground_class(settings)(
+    "ground": lambda settings, assets, ground: kind_in(GROUND, settings)(
         settings, assets, sun.direction(settings.sun)
     ),
     "water": lambda settings, assets, ground: WaterSurface(settings, assets),
     "sea": lambda settings, assets, ground: Sea(settings, assets, ground.field),
     "sky": lambda settings, assets, ground: SkyBox(settings, assets),
-    "sprites": lambda settings, assets, ground: (
-        RefinedSprites if sprites.wanted(settings) else TransparentElements
-    )(settings, assets, ground, 1, {"trees", "deer", "plants"}),
-    "grass": lambda settings, assets, ground: (Meadow if meadow.wanted(settings) else Grass)(
-        settings, assets, ground, 1
+    "sprites": lambda settings, assets, ground: kind_in(PLANTED, settings)(
+        settings, assets, ground, 1, {"trees", "deer", "plants"}
     ),
-    "castle": lambda settings, assets, ground: castle_class(settings)(
+    "grass": lambda settings, assets, ground: kind_in(GRASS, settings)(settings, assets, ground, 1),
+    "castle": lambda settings, assets, ground: kind_in(CASTLE, settings)(
         settings, assets, ground.field
     ),
-    "rabbit": lambda settings, assets, ground: rabbit_class(settings)(
+    "rabbit": lambda settings, assets, ground: kind_in(RABBIT, settings)(
         settings, assets, ground.field
     ),
-    "dragon": lambda settings, assets, ground: dragon_class(settings)(settings, assets),
+    "dragon": lambda settings, assets, ground: kind_in(DRAGON, settings)(settings, assets),
     "mist": lambda settings, assets, ground: BayMist(settings, assets, LAKE),
-    "sword": lambda settings, assets, ground: sword_class(settings)(settings, assets),
+    "sword": lambda settings, assets, ground: kind_in(SWORD, settings)(settings, assets),
     "map": lambda settings, assets, ground: Map(settings, assets, ground.field),
 }
 
@@ -107,7 +96,7 @@ def values(request: pytest.FixtureRequest) -> Settings:
 
 @pytest.fixture
 def ground(stage: Stage, values: Settings, assets: Assets):
-    made = ground_class(values)(values, assets, sun.direction(values.sun))
+    made = kind_in(GROUND, values)(values, assets, sun.direction(values.sun))
     yield made
     stage.enter()
     made.release()

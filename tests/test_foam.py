@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from seaside import LEVEL, beach, drawn, grid_at
-from stage import Stage, live_names, project, small
+from stage import Stage, live_names, project, small, taken
 
 from landscape.elements.best.sea import foam
 from landscape.elements.best.sea.sea import Sea
@@ -127,8 +127,8 @@ def test_a_sea_with_foam_is_built_for_one_setting_and_leaves_nothing(
     settings = small({"water.foam": True})
     sea = Sea(settings, plain, beach())
     made = live_names()
-    assert sea.apply(small({"water.foam": True, "fog.density": 0.3}))
-    assert not sea.apply(small({"water.foam": False}))
+    assert taken(sea, small({"water.foam": True, "fog.density": 0.3}))
+    assert not taken(sea, small({"water.foam": False}))
     with stage.frame(settings, DOWN) as frame:
         sea.draw(frame)
     assert live_names() == made

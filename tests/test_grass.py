@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from flat_land import flat, grass_settings
 from sprite_stage import looking
-from stage import Stage, close, pixel, project, small
+from stage import Stage, close, pixel, project, small, taken
 
 from framelens.base.errors import InputError
 from framelens.gl.seam import recording
 from landscape.elements import grass as grass_module
-from landscape.elements.best import meadow
+from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.grass import (
     COORDINATES,
     STRIP_TRIANGLES,
@@ -338,7 +338,7 @@ def test_r18_the_loop_over_blades_and_one_call_draw_the_same_picture(stage: Stag
     pictures, calls = [], []
     for method in ("cells", "loop"):
         settings = grass_settings(method=method, **large)
-        assert grass.apply(settings)
+        assert taken(grass, settings)
         with stage.frame(settings, NORTH, kt=9.0) as frame, recording() as recorder:
             grass.draw(frame)
             pictures.append(stage.read())
@@ -366,7 +366,7 @@ def test_blades_drawn_in_groups_make_the_same_picture_with_few_of_them_in_memory
     for at_once in (1_000_000, 100):
         monkeypatch.setattr(grass_module, "AT_ONCE", at_once)
         monkeypatch.setattr(grass_module, "MOST_KEPT", 3 * at_once)
-        assert grass.apply(settings)
+        assert taken(grass, settings)
         with stage.frame(settings, NORTH) as frame:
             grass.draw(frame)
             pictures.append(stage.read())
@@ -422,16 +422,16 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
         {"grass.fade": True},
         {"grass.tinted": True},
     ):
-        assert not grass.apply(small({"grass.radius": 1.0, **change})), change
+        assert not taken(grass, small({"grass.radius": 1.0, **change})), change
         assert (shown() == wide).all(), "refused settings change nothing"
-    assert grass.apply(small({"grass.radius": 1.0, "fog.density": 0.5, "castle.yaw": 3.0}))
+    assert taken(grass, small({"grass.radius": 1.0, "fog.density": 0.5, "castle.yaw": 3.0}))
     assert (shown() != wide).any()
-    assert grass.apply(settings)
+    assert taken(grass, settings)
     assert (shown() == wide).all()
 
 
 def test_the_plain_grass_is_used_in_2006_and_not_in_best() -> None:
-    assert not meadow.wanted(preset("2006")) and meadow.wanted(preset("best"))
+    assert not Meadow.serves(preset("2006")) and Meadow.serves(preset("best"))
     for key, value in (
         ("tinted", True),
         ("fade", True),
@@ -440,5 +440,5 @@ def test_the_plain_grass_is_used_in_2006_and_not_in_best() -> None:
         ("variety", 1.0),
         ("arch", 4.0),
     ):
-        assert meadow.wanted(small({f"grass.{key}": value})), key
-    assert not meadow.wanted(small({"grass.method": "loop", "grass.count": 9}))
+        assert Meadow.serves(small({f"grass.{key}": value})), key
+    assert not Meadow.serves(small({"grass.method": "loop", "grass.count": 9}))

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 from PIL import Image
-from stage import Stage, close, pixel, project, small
+from stage import Stage, close, kind_in, pixel, project, small, taken
 
 from framelens.gl.seam import gl, recording
-from landscape.elements.best.terrain.terrain import ground_class
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.gl.draw import level_square
+from landscape.island.slots import GROUND
 from landscape.settings.declare import with_settings
 
 SUN = np.array([0.0, 1.0, 0.0], np.float32)
@@ -110,14 +110,14 @@ def test_the_images_cover_the_part_of_the_map_that_is_asked_for(
     Image.fromarray(np.full((64, 64, 3), 90, np.uint8)).save(plain_folder / "ground_large.png")
     changes = {"ground.scale_x": 0.75, "ground.scale_z": 0.5, "ground.resolution": 81, **kind}
     settings = small(changes)
-    ground = ground_class(settings)(settings, Assets(plain_folder), SUN)
+    ground = kind_in(GROUND, settings)(settings, Assets(plain_folder), SUN)
     x, z = np.array([2.0, 28.0, 32.0, 2.0]), np.array([2.0, 18.0, 2.0, 22.0])
     heights = ground.terrain_height(x, z)
     assert heights[:2] == pytest.approx(200 / 256 * settings.ground.scale_y)
     assert heights[2:] == pytest.approx(0.0)
     assert ground.large.shape == (64, 64, 3)
     assert ground.colour(x, z)[:2] == pytest.approx(90 / 255)
-    assert not ground.apply(small({**changes, "ground.scale_z": 1.0}))
+    assert not taken(ground, small({**changes, "ground.scale_z": 1.0}))
     ground.release()
 
 
@@ -208,7 +208,7 @@ def test_colours_that_are_not_square_are_stretched_over_the_map(
     colours = np.zeros((20, 64, 3), np.uint8)
     colours[:10] = 200
     Image.fromarray(colours).save(plain_folder / "ground_large.png")
-    ground = ground_class(small(changes))(small(changes), Assets(plain_folder), SUN)
+    ground = kind_in(GROUND, small(changes))(small(changes), Assets(plain_folder), SUN)
     assert ground.large.shape == (64, 64, 3)
     assert ground.large[:28].min() > 190 and ground.large[-28:].max() < 10
     ground.release()
@@ -244,7 +244,7 @@ def test_the_ground_accepts_settings_that_it_does_not_use_and_refuses_the_rest(
         ("camera.cull", True),
         ("ground.mid_repeat", 5.0),
     ):
-        assert ground.apply(with_settings(settings, {key: value})), key
+        assert taken(ground, with_settings(settings, {key: value})), key
 
     for key, value in (
         ("ground.resolution", 41),
@@ -255,7 +255,7 @@ def test_the_ground_accepts_settings_that_it_does_not_use_and_refuses_the_rest(
         ("ground.smooth", "catmull_rom"),
         ("water.level", 1.0),
     ):
-        assert not ground.apply(with_settings(settings, {key: value})), key
+        assert not taken(ground, with_settings(settings, {key: value})), key
 
     ground.release()
 
@@ -268,5 +268,5 @@ def test_a_users_own_island_is_coloured_by_height_and_by_the_sun(
     settings = small({"ground.height_image": "mine.png"})
     ground = Ground(settings, Assets(plain_folder), SUN)
     assert ground.large.shape == (512, 512, 3) and ground.large.std() > 10
-    assert not ground.apply(with_settings(settings, {"sun.azimuth": 5.0}))
+    assert not taken(ground, with_settings(settings, {"sun.azimuth": 5.0}))
     ground.release()

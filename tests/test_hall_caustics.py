@@ -50,10 +50,9 @@ def drawn(
 ) -> np.ndarray:
     """Return the picture, int64 (h, w, 3)."""
     settings = with_settings(SCENE.settings, changed or {})
-    pattern = settings.caustics.pattern
-    if pattern not in halls:
-        halls[pattern] = Hall(settings, Assets(), 0, ("room", "caustics", "pool"))
-    hall = halls[pattern]
+    if not halls:
+        halls["hall"] = Hall(settings, Assets(), 0, ("room", "caustics", "pool"))
+    hall = halls["hall"]
     assert hall.apply(settings)
     hall.shown = set(shown)
     with stage.borrowed():
@@ -153,9 +152,6 @@ def test_between_two_frames_the_picture_is_their_mean(stage: Stage, halls) -> No
 
 
 def test_the_product_of_sines_is_another_film(stage: Stage, halls) -> None:
-    settings = with_settings(SCENE.settings, {"caustics.pattern": "sines"})
-    drawn(stage, halls)
-    assert not halls["net"].apply(settings)
     sines = drawn(stage, halls, BED | {"caustics.pattern": "sines"})
     assert np.abs(sines - drawn(stage, halls, BED)).max() > 40
 

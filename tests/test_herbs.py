@@ -18,7 +18,7 @@ from sprite_stage import (
     put,
     seen,
 )
-from stage import Stage, close, pixel, project, small
+from stage import Stage, close, pixel, project, small, taken
 
 from landscape.elements.atlas import CELLS, COLUMNS, cell_coordinates, laid_out
 from landscape.elements.best.sprites.refined_atlas import (
@@ -127,7 +127,7 @@ def test_plants_but_not_trees_are_darkened_by_shadow_on_their_sunny_side(
     sprites: RefinedSprites,
 ) -> None:
     sunrise = {"sun.azimuth": 90.0, "sun.elevation": 10.0}
-    assert sprites.apply(small({**WIDE, "plants.species": 5, **sunrise}))
+    assert taken(sprites, small({**WIDE, "plants.species": 5, **sunrise}))
     put(sprites, [(19.9, 3.0, 17.0), (20.1, 3.0, 12.0), (30.0, 3.0, 12.0)], [FERN, OXEYE, TREE])
 
     def light(x: np.ndarray, z: np.ndarray) -> np.ndarray:

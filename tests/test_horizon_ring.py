@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, small
+from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, small, taken
 
 from landscape.elements.best.sea.ring import HorizonRing, ring_grid
 from landscape.elements.water_surface import WaterSurface
@@ -59,9 +59,9 @@ def test_a_ring_accepts_a_new_colour_and_refuses_a_new_shape(stage: Stage, plain
     before = live_names()
     ring = HorizonRing(small(FAR), plain)
     changed = small({**FAR, "water.color": (1.0, 0.0, 0.0, 1.0)})
-    assert not ring.apply(small({**FAR, "water.horizon": 300.0}))
-    assert not ring.apply(small({**FAR, "water.level": 0.7}))
-    assert ring.apply(changed)
+    assert not taken(ring, small({**FAR, "water.horizon": 300.0}))
+    assert not taken(ring, small({**FAR, "water.level": 0.7}))
+    assert taken(ring, changed)
     with stage.frame(changed, Pose(20.0, 12.0, 20.0, 0.0, -10.0)) as frame:
         ring.draw(frame)
         assert close(stage.read()[52, 80], (255, 0, 0))

@@ -149,7 +149,7 @@ def test_an_element_never_built_cannot_be_shown(stage: Stage) -> None:
     island.shown = set(ELEMENTS) - {"fog"}
     with stage.borrowed():
         island.draw(MOMENT)
-    assert island.sky is None and island.sprites is None
+    assert island.elements.at("sky") is None and island.sprites is None
     island.release()
 
 

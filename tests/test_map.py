@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from stage import Stage, close, small
+from stage import Stage, close, small, taken
 
 from framelens.gl.seam import gl
 from landscape.elements.map import Map, map_picture, place_on_map
@@ -92,11 +92,11 @@ def test_the_map_accepts_a_new_island_size_and_refuses_a_new_opacity(
     stage: Stage, plain: Assets
 ) -> None:
     map_ = Map(small(), plain, FLAT)
-    assert not map_.apply(small({"overlay.map_alpha": 0.5, "ground.size": 80.0}))
+    assert not taken(map_, small({"overlay.map_alpha": 0.5, "ground.size": 80.0}))
     pictures = []
     for size in (40.0, 80.0):
         settings = small({"ground.size": size})
-        assert map_.apply(settings)
+        assert taken(map_, settings)
         with stage.frame(settings, Pose(20.0, 1.0, 20.0)) as frame:
             map_.draw(frame)
             pictures.append((stage.read() == 255).all(axis=2))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from flat_land import flat, grass_settings
 from sprite_stage import looking
-from stage import Stage, small
+from stage import Stage, small, taken
 
 from framelens.gl.seam import gl
 from landscape.elements.best.meadow import growth as growth_module
@@ -420,7 +420,7 @@ def test_new_settings_or_a_new_window_size_cause_a_new_selection(sow) -> None:
     wide = looking(NORTH, size=(320, 120))
     assert meadow.choice(wide) is not kept
     kept = meadow.choice(wide)
-    assert meadow.apply(grass_settings(fade=True, count=200_000, facing=0.5))
+    assert taken(meadow, grass_settings(fade=True, count=200_000, facing=0.5))
     assert meadow.choice(wide) is not kept
 
 
@@ -440,14 +440,14 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(sow) -
         ("variety", 0.5),
         ("tinted", True),
     ):
-        assert not meadow.apply(grass_settings(**{key: value})), key
+        assert not taken(meadow, grass_settings(**{key: value})), key
         assert (drawn() == before).all(), "refused settings change nothing"
-    assert not meadow.apply(small({"grass.count": 50_000, "castle.x": 3.0}))
-    assert meadow.apply(grass_settings(facing=0.6, radius=2.0))
+    assert not taken(meadow, small({"grass.count": 50_000, "castle.x": 3.0}))
+    assert taken(meadow, grass_settings(facing=0.6, radius=2.0))
     assert len(drawn()) < len(before)
-    assert meadow.apply(grass_settings(facing=0.3)) and (drawn() != before).any()
+    assert taken(meadow, grass_settings(facing=0.3)) and (drawn() != before).any()
     fading = sow(fade=True)
-    assert not fading.apply(grass_settings(fade=True, radius=3.0))
+    assert not taken(fading, grass_settings(fade=True, radius=3.0))
 
 
 def test_the_meadow_takes_the_colours_of_the_ground(stage: Stage, plain: Assets) -> None:

@@ -5,14 +5,14 @@ import math
 import numpy as np
 import pytest
 from animals import CUBE, CUBE_FACES, FLAT, LIT, PLATE, made
-from stage import PLAIN, Stage, close, pixel, project, small, write_ply
+from stage import PLAIN, Stage, close, kind_in, pixel, project, small, taken, write_ply
 
 from framelens.gl.seam import recording
 from landscape.elements.animal import COLOR, read_animal
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import read_painted
-from landscape.elements.best.animals.fine_dragon import FineDragon, dragon_class
-from landscape.elements.best.animals.fine_rabbit import FineRabbit, rabbit_class
+from landscape.elements.best.animals.fine_dragon import FineDragon
+from landscape.elements.best.animals.fine_rabbit import FineRabbit
 from landscape.elements.best.animals.fur import eyes, glints, hair_lengths, laid, shells
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.rabbit import Rabbit, cylindrical
@@ -20,6 +20,7 @@ from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.obstacles import Tower, Wall
+from landscape.island.slots import DRAGON, RABBIT
 from landscape.settings.declare import with_settings
 
 BACKGROUND = np.array([0.4, 0.6, 0.7]) * 255
@@ -240,26 +241,26 @@ def test_an_animal_accepts_settings_read_each_frame_and_refuses_the_rest(
     for changes in ({}, {f"{animal}.mapping": "axis", "camera.lod_pixels": 0.5}):
         settings = small({**LIT, **changes})
         thing = made(animal, settings, cube)
-        assert thing.apply(with_settings(settings, {"camera.cull": True, "fog.density": 0.5}))
+        assert taken(thing, with_settings(settings, {"camera.cull": True, "fog.density": 0.5}))
         with stage.frame(settings, Pose(20.0, 2.5, 23.5)) as frame, recording() as recorder:
             thing.draw(frame)
         assert any("CULL_FACE" in str(call.shown) for call in recorder.calls)
         for key, value in ((f"{animal}.x", 3.0), (f"{animal}.painted", True)):
-            assert not thing.apply(with_settings(settings, {key: value}))
+            assert not taken(thing, with_settings(settings, {key: value}))
         other = 0.0 if changes else 0.5
-        assert not thing.apply(with_settings(settings, {"camera.lod_pixels": other}))
+        assert not taken(thing, with_settings(settings, {"camera.lod_pixels": other}))
         thing.release()
 
 
 def test_a_glossy_dragon_may_become_glossier_but_not_dull(stage: Stage, cube: Assets) -> None:
     settings = small({**LIT, "dragon.gloss": 0.25})
     dragon = made("dragon", settings, cube)
-    assert dragon.apply(with_settings(settings, {"dragon.gloss": 0.5}))
+    assert taken(dragon, with_settings(settings, {"dragon.gloss": 0.5}))
     with stage.frame(settings, Pose(20.0, 2.5, 23.5)) as frame, recording() as recorder:
         dragon.draw(frame)
     shown = [call.args[2] for call in recorder.calls if call.name == "glMaterialfv"]
     assert np.allclose(shown[0][:3], 0.5)
-    assert not dragon.apply(with_settings(settings, {"dragon.gloss": 0.0}))
+    assert not taken(dragon, with_settings(settings, {"dragon.gloss": 0.0}))
     dragon.release()
 
 
@@ -289,12 +290,12 @@ def test_what_is_out_of_view_is_not_drawn(stage: Stage, cube: Assets) -> None:
 
 
 def test_the_settings_choose_the_class_of_an_animal() -> None:
-    assert rabbit_class(Settings()) is Rabbit and dragon_class(Settings()) is Dragon
+    assert kind_in(RABBIT, Settings()) is Rabbit and kind_in(DRAGON, Settings()) is Dragon
     for key, value in (("mapping", "axis"), ("painted", True)):
-        assert rabbit_class(small({f"rabbit.{key}": value})) is FineRabbit
-        assert dragon_class(small({f"dragon.{key}": value})) is FineDragon
-    assert rabbit_class(small({"camera.lod_pixels": 0.1})) is FineRabbit
-    assert dragon_class(small({"dragon.gloss": 0.1})) is FineDragon
+        assert kind_in(RABBIT, small({f"rabbit.{key}": value})) is FineRabbit
+        assert kind_in(DRAGON, small({f"dragon.{key}": value})) is FineDragon
+    assert kind_in(RABBIT, small({"camera.lod_pixels": 0.1})) is FineRabbit
+    assert kind_in(DRAGON, small({"dragon.gloss": 0.1})) is FineDragon
 
 
 # Fur

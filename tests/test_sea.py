@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 from seaside import BACKGROUND, CALM, LEVEL, POSE, beach, drawn, grid_at, mirrored_wall, red, sent
-from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, quad, small
+from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, quad, small, taken
 
 from framelens.gl.seam import gl
 from landscape.elements.best.sea import waves
-from landscape.elements.best.sea.sea import Sea, fog_depths, reflected, wanted
+from landscape.elements.best.sea.sea import Sea, fog_depths, reflected
 from landscape.elements.best.sea.shallows import (
     COLOURS,
     FLOOR,
@@ -29,14 +29,14 @@ DOWN = Pose(20.0, 5.6, 21.5, 0.0, -89.9)
 
 
 def test_the_sea_is_wanted_in_best_and_wherever_one_of_its_switches_is_on() -> None:
-    assert not wanted(Settings()) and wanted(preset("best"))
+    assert not Sea.serves(Settings()) and Sea.serves(preset("best"))
     for key in BETTER:
         assert get(Settings(), key) is False and get(preset("best"), key) is True, key
-        assert wanted(small({key: True})), key
-    assert wanted(small({"water.glitter": 0.1}))
-    assert wanted(small({"water.foam": True})) and wanted(small({"water.ripples": 0.1}))
-    assert wanted(small({"water.horizon_contrast": 0.1}))
-    assert not wanted(small({"water.horizon": 400.0, "water.query": True}))
+        assert Sea.serves(small({key: True})), key
+    assert Sea.serves(small({"water.glitter": 0.1}))
+    assert Sea.serves(small({"water.foam": True})) and Sea.serves(small({"water.ripples": 0.1}))
+    assert Sea.serves(small({"water.horizon_contrast": 0.1}))
+    assert not Sea.serves(small({"water.horizon": 400.0, "water.query": True}))
 
 
 # Relief and opacity.
@@ -293,7 +293,7 @@ def test_a_sea_draws_applied_settings_as_if_built_from_them(stage: Stage, plain:
     new |= {"water.repeat": 2.0, "water.glitter": 0.4, "water.horizon": 50.0}
     assert not (drawn(stage, plain, old)[0] == drawn(stage, plain, new)[0]).all()
     sea = Sea(small(old), plain, beach())
-    assert sea.apply(small(new))
+    assert taken(sea, small(new))
     with stage.frame(small(new), POSE) as frame:
         sea.draw(frame)
         picture = stage.read()
@@ -320,7 +320,7 @@ def test_a_sea_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
     settings = small({**WHITE_LIGHT, "water.fresnel": True})
     sea = Sea(settings, plain, beach())
     refused = small({**WHITE_LIGHT, **change, "water.color": (1.0, 0.0, 0.0, 1.0)})
-    assert not sea.apply(refused)
+    assert not taken(sea, refused)
     with stage.frame(settings, POSE) as frame:
         sea.draw(frame)
         picture = stage.read()

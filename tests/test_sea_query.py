@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from stage import Stage, quad, small
+from stage import Stage, quad, small, taken
 
 from framelens.gl.seam import gl, recording
 from landscape.elements.best.sea.occlusion_query import ABOVE, SeaQuery
@@ -95,9 +95,9 @@ def test_a_query_belongs_to_one_surface_and_is_deleted_on_release(stage: Stage) 
     with recording() as recorder:
         query = SeaQuery(SETTINGS)
     assert [call.name for call in recorder.calls].count("glGenQueries") == 1
-    assert query.apply(small({"water.level": 0.6, "water.horizon": 10.0, "fog.density": 0.3}))
-    assert not query.apply(small({"water.level": 0.6, "water.horizon": 20.0}))
-    assert not query.apply(small({"water.level": 0.5, "water.horizon": 10.0}))
+    assert taken(query, small({"water.level": 0.6, "water.horizon": 10.0, "fog.density": 0.3}))
+    assert not taken(query, small({"water.level": 0.6, "water.horizon": 20.0}))
+    assert not taken(query, small({"water.level": 0.5, "water.horizon": 10.0}))
     with recording() as recorder:
         query.release()
         query.release()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from drivers import KNOWN
 from PIL import Image
-from stage import Stage, small
+from stage import Stage, kind_in, small, taken
 
 from framelens.gl import extensions
 from landscape.elements.best.sword.shining_sword import (
@@ -16,11 +16,11 @@ from landscape.elements.best.sword.shining_sword import (
     steel,
     strip,
 )
-from landscape.elements.best.sword.steel_blade import sword_class
 from landscape.elements.sword import ASPECT, Sword, pictures
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
+from landscape.island.slots import SWORD
 from landscape.settings.declare import with_settings
 
 STEEL = (150, 155, 170, 255)
@@ -85,7 +85,7 @@ def test_the_brightest_light_comes_from_the_sun(shipped: Assets) -> None:
 
 def drawn(stage: Stage, assets: Assets, sheen: float, yaw: float, stroke: int = 1) -> np.ndarray:
     settings = with_settings(BEST, {"overlay.sheen": sheen})
-    sword = sword_class(settings)(settings, assets)
+    sword = kind_in(SWORD, settings)(settings, assets)
     with stage.frame(settings, Pose(20.0, 1.0, 20.0, yaw), stroke=stroke) as frame:
         sword.draw(frame)
         picture = stage.read()
@@ -127,8 +127,8 @@ def test_without_cube_maps_the_sword_is_the_plain_one_and_one_line_says_why(
 
 
 def test_only_another_light_around_needs_another_sword(stage: Stage, one_sword: Assets) -> None:
-    assert sword_class(small()) is Sword
+    assert kind_in(SWORD, small()) is Sword
     sword = ShiningSword(BEST, one_sword)
-    assert sword.apply(with_settings(BEST, {"overlay.sheen": 0.9, "fog.density": 0.3}))
-    assert not sword.apply(with_settings(BEST, {"sun.azimuth": 10.0}))
+    assert taken(sword, with_settings(BEST, {"overlay.sheen": 0.9, "fog.density": 0.3}))
+    assert not taken(sword, with_settings(BEST, {"sun.azimuth": 10.0}))
     sword.release()

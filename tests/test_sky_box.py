@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from stage import Stage, close, pixel, project, quad, small, write_plain
+from stage import Stage, close, pixel, project, quad, small, taken, write_plain
 
 from framelens.gl.seam import gl
 from framelens.gl.texture import mip_levels
@@ -52,7 +52,7 @@ def test_one_unfolded_picture_gives_the_sky_of_five_files(stage: Stage, tmp_path
     Image.fromarray(unfolded(plain, 128, 40)).convert("RGB").save(tmp_path / "sheet.png")
     changes = {**BOX, "sky.unfolded": "sheet.png"}
     sky = SkyBox(small(changes), Assets(tmp_path))
-    assert not sky.apply(small(BOX))
+    assert not taken(sky, small(BOX))
     for name, yaw in YAWS.items():
         with stage.frame(small(changes), Pose(20.0, 2.0, 20.0, yaw, 0.0)) as frame:
             sky.draw(frame)
@@ -309,7 +309,7 @@ def test_a_box_draws_applied_switches_as_if_built_from_them(
     pose = Pose(27.0, 2.0, 12.0, 20.0, 10.0)
     box = SkyBox(small(BOX), plain)
     changed = small({**BOX, f"sky.{key}": True})
-    assert box.apply(changed)
+    assert taken(box, changed)
     with stage.frame(changed, pose, fog=True) as frame:
         box.draw(frame)
         picture = stage.read()
@@ -327,7 +327,7 @@ def test_a_box_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
     pose = Pose(20.0, 2.0, 20.0, 20.0, 10.0)
     box = SkyBox(small(BOX), plain)
     new = {f"sky.{key}": value for key, value in change.items()}
-    assert not box.apply(small({**BOX, **new, "sky.follow_y": True}))
+    assert not taken(box, small({**BOX, **new, "sky.follow_y": True}))
     with stage.frame(small(BOX), pose) as frame:
         box.draw(frame)
         picture = stage.read()

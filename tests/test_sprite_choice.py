@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from sprite_stage import BACKGROUND, CONIFER, NORTH, WIDE, element, looking, pictures, put, seen
-from stage import Stage, close, small
+from stage import Stage, close, small, taken
 
 from landscape.elements.best.sprites import sprites_in_view
 from landscape.elements.best.sprites.choice import LaidOut, choose
@@ -64,7 +64,7 @@ def test_a_selection_reused_for_several_frames_shows_what_a_new_one_would(
                 out.append(stage.read())
         return out
 
-    assert sprites.apply(settings)
+    assert taken(sprites, settings)
     kept, anew = shown(fresh=False), shown(fresh=True)
     assert len(made) == 1 + len(poses)
     assert all((one == other).all() for one, other in zip(kept, anew, strict=True))
@@ -77,7 +77,7 @@ def test_a_selection_reused_for_several_frames_shows_what_a_new_one_would(
             sprites.draw(frame)
         assert len(made) == before + 1
     settings = with_settings(settings, {"transparent.fade": 0.0})
-    assert sprites.apply(settings)
+    assert taken(sprites, settings)
     before = len(made)
     shown(fresh=False)
     assert len(made) == before + len(poses)
@@ -86,7 +86,8 @@ def test_a_selection_reused_for_several_frames_shows_what_a_new_one_would(
 def test_coarser_frames_show_the_quads_of_the_one_before_where_the_eye_hardly_moves(
     sprites: RefinedSprites,
 ) -> None:
-    assert sprites.apply(small({**WIDE, **{k.replace("__", "."): v for k, v in SCATTERED.items()}}))
+    keys = {key.replace("__", "."): value for key, value in SCATTERED.items()}
+    assert taken(sprites, small({**WIDE, **keys}))
     scattered(sprites)
     coarser = Detail(scale=0.5, coarser=2.0)
 
@@ -145,7 +146,7 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
         {"plants.shaded": True, "ground.shadows": True},
         {"ground.large_texture": "map.png"},
     ):
-        assert not sprites.apply(small({**WIDE, "transparent.radius": 1.0, **change})), change
+        assert not taken(sprites, small({**WIDE, "transparent.radius": 1.0, **change})), change
         with stage.frame(small(WIDE), NORTH) as frame:
             sprites.draw(frame)
             assert (stage.read() == there).all(), "refused settings change nothing"

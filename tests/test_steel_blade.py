@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from stage import Stage, small
+from stage import Stage, kind_in, small, taken
 
 from framelens.gl import extensions
 from landscape.elements.best.sword.shining_sword import TAN, blade, steel
@@ -21,13 +21,13 @@ from landscape.elements.best.sword.steel_blade import (
     relief,
     scratches,
     steel_mesh,
-    sword_class,
     without_blade,
 )
 from landscape.elements.sword import ASPECT, pictures
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
+from landscape.island.slots import SWORD
 from landscape.settings.declare import with_settings
 
 BEST = small({"overlay.sheen": 0.5, "overlay.blade": True})
@@ -112,7 +112,7 @@ def test_scratches_are_thin_and_leave_most_of_the_steel_bright() -> None:
 
 def drawn(stage: Stage, assets: Assets, yaw: float, stroke: int = 0, **more) -> np.ndarray:
     settings = with_settings(BEST, {key.replace("__", "."): value for key, value in more.items()})
-    sword = sword_class(settings)(settings, assets)
+    sword = kind_in(SWORD, settings)(settings, assets)
     with stage.frame(settings, Pose(20.0, 1.0, 20.0, yaw), stroke=stroke) as frame:
         sword.draw(frame)
         picture = stage.read()
@@ -166,6 +166,6 @@ def test_steel_mirrors_the_sun_brightest_and_less_colour_than_the_sky(shipped: A
 
 def test_only_another_light_needs_another_sword(stage: Stage, shipped: Assets) -> None:
     sword = SteelBlade(BEST, shipped)
-    assert sword.apply(with_settings(BEST, {"fog.density": 0.3}))
-    assert not sword.apply(with_settings(BEST, {"sun.azimuth": 10.0}))
+    assert taken(sword, with_settings(BEST, {"fog.density": 0.3}))
+    assert not taken(sword, with_settings(BEST, {"sun.azimuth": 10.0}))
     sword.release()

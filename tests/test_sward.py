@@ -8,7 +8,7 @@ import pytest
 from flat_land import flat, grass_settings
 from PIL import Image
 from sprite_stage import looking
-from stage import Stage
+from stage import Stage, taken
 
 from framelens.gl.framebuffer import Framebuffer
 from framelens.gl.seam import gl
@@ -206,9 +206,9 @@ def test_what_is_transparent_in_a_cards_picture_is_not_drawn(
 
 def test_the_sward_and_its_flowers_cannot_be_applied_to_a_meadow_that_has_grown(sow) -> None:
     meadow = sow()
-    assert meadow.apply(grass_settings(**{**SWARD, "gusts": 1.0}))
+    assert taken(meadow, grass_settings(**{**SWARD, "gusts": 1.0}))
     for change in ({"sward": False}, {"flowers": 0.2}):
-        assert not meadow.apply(grass_settings(**{**SWARD, **change}))
+        assert not taken(meadow, grass_settings(**{**SWARD, **change}))
 
 
 # ---- gusts

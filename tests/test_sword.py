@@ -88,7 +88,7 @@ def test_the_sword_rises_and_falls_with_the_steps(stage: Stage, plain_folder) ->
 
 def test_no_setting_changes_the_sword(stage: Stage, plain: Assets) -> None:
     sword = Sword(SETTINGS, plain)
-    assert sword.apply(preset("best"))
+    sword.take(preset("best"))
     with stage.frame(SETTINGS, POSE, stroke=1) as frame:
         sword.draw(frame)
         picture = stage.read()

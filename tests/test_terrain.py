@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from stage import Stage, close, small
+from stage import Stage, close, kind_in, small, taken
 
 from framelens.gl.seam import lists_now, recording
 from landscape.elements.best.terrain import terrain
@@ -19,7 +19,7 @@ from landscape.elements.best.terrain.materials import (
     textured,
     turf_range,
 )
-from landscape.elements.best.terrain.terrain import Terrain, ground_class, shaded
+from landscape.elements.best.terrain.terrain import Terrain, shaded
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.sun import direction
@@ -28,6 +28,7 @@ from landscape.frame import Pose
 from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.height_field import HeightField, ground_mesh
 from landscape.geometry.mesh import Mesh
+from landscape.island.slots import GROUND
 from landscape.settings.declare import with_settings
 
 SUN = np.array([0.0, 1.0, 0.0], np.float32)
@@ -39,14 +40,14 @@ def rough() -> HeightField:
 
 
 def test_the_settings_choose_the_class_of_the_ground() -> None:
-    assert ground_class(small({"ground.smooth": "catmull_rom"})) is Ground
+    assert kind_in(GROUND, small({"ground.smooth": "catmull_rom"})) is Ground
     for key, value in (
         ("materials", True),
         ("tiles", 2),
         ("low_stretch", True),
         ("shadows", True),
     ):
-        assert ground_class(small({f"ground.{key}": value})) is Terrain
+        assert kind_in(GROUND, small({f"ground.{key}": value})) is Terrain
 
 
 # Tiles
@@ -143,7 +144,7 @@ def test_no_pixel_changes_when_tiles_out_of_view_are_skipped(
     pictures, calls = [], []
     for tiles in (1, 6):
         settings = small({"ground.tiles": tiles, "ground.materials": materials})
-        ground = ground_class(settings)(settings, shipped, np.array([0.5, 0.7, 0.5]))
+        ground = kind_in(GROUND, settings)(settings, shipped, np.array([0.5, 0.7, 0.5]))
         with stage.frame(settings, pose) as frame:
             with clipped(settings.water.level):
                 ground.draw(frame)
@@ -288,7 +289,7 @@ def test_the_terrain_accepts_settings_read_each_frame_and_refuses_the_rest(
     ground = Terrain(settings, plain, SUN)
     with stage.frame(settings, Pose(20.0, 9.0, 20.0, 0.0, -88.0)) as frame:
         every = len(ground.tiles_in_view(frame))
-        assert ground.apply(with_settings(settings, {"camera.cull": True, "ground.clip": True}))
+        assert taken(ground, with_settings(settings, {"camera.cull": True, "ground.clip": True}))
         with recording() as recorder:
             ground.draw(frame)
 
@@ -301,7 +302,7 @@ def test_the_terrain_accepts_settings_read_each_frame_and_refuses_the_rest(
         {"water.level": 1.0},
         {"reflection.lod_scale": 8.0},
     ):
-        assert not ground.apply(with_settings(settings, changes))
+        assert not taken(ground, with_settings(settings, changes))
 
-    assert ground.apply(with_settings(settings, {"reflection.lod_scale": 0.5 + 0.5}))
+    assert taken(ground, with_settings(settings, {"reflection.lod_scale": 0.5 + 0.5}))
     ground.release()

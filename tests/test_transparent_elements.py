@@ -22,10 +22,10 @@ from sprite_stage import (
     put,
     seen,
 )
-from stage import Stage, close, pixel, project, small
+from stage import Stage, close, pixel, project, small, taken
 
 from landscape.elements.atlas import CELL, GUTTER, cell_coordinates, laid_out
-from landscape.elements.best.sprites import wanted
+from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.planting import PLANT
 from landscape.elements.settings import preset
 from landscape.elements.transparent_elements import (
@@ -155,7 +155,7 @@ def test_indices_name_each_sprites_own_vertices_from_far_to_near(sprites) -> Non
     put(sprites, [(20.0, 3.0, 17.0), (20.0, 3.0, 16.0), (20.0, 3.0, 15.0)], [TREE, PLANT, CONIFER])
     rows = {}
     for is_sorted in (False, True):
-        assert sprites.apply(small({**WIDE, "transparent.sorted": is_sorted}))
+        assert taken(sprites, small({**WIDE, "transparent.sorted": is_sorted}))
         vertices, coordinates, indices = sprites.prepare(looking(NORTH))
         assert len(vertices) == len(coordinates) == 4 + 4 + 12 == indices.max() + 1
         assert indices.dtype == np.uint32
@@ -263,7 +263,7 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
         {"transparent.upright": True},
         {"ground.shadows": True},
     ):
-        assert not sprites.apply(small({**WIDE, "transparent.radius": 1.0, **change})), change
+        assert not taken(sprites, small({**WIDE, "transparent.radius": 1.0, **change})), change
         with stage.frame(small(WIDE), NORTH) as frame:
             sprites.draw(frame)
             assert (stage.read() == there).all(), "refused settings change nothing"
@@ -274,7 +274,7 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(
 
 def test_the_mirrored_scene_is_drawn_from_the_same_arrays(stage: Stage, sprites) -> None:
     put(sprites, [(20.0, 3.0, 17.0)], [CONIFER])
-    assert sprites.apply(small(WIDE))
+    assert taken(sprites, small(WIDE))
     with stage.frame(small(WIDE), NORTH) as frame:
         prepared = sprites.prepare(frame)
         sprites.draw(replace(frame, mirrored=True), prepared)
@@ -283,8 +283,8 @@ def test_the_mirrored_scene_is_drawn_from_the_same_arrays(stage: Stage, sprites)
 
 
 def test_the_plain_sprites_are_used_in_2006_and_not_in_best() -> None:
-    assert not wanted(preset("2006"))
-    assert wanted(preset("best"))
+    assert not RefinedSprites.serves(preset("2006"))
+    assert RefinedSprites.serves(preset("best"))
     for key in (
         "transparent.upright",
         "transparent.split",
@@ -299,12 +299,13 @@ def test_the_plain_sprites_are_used_in_2006_and_not_in_best() -> None:
         "plants.rosette",
         "ground.shadows",
     ):
-        assert wanted(small({key: True})), key
+        assert RefinedSprites.serves(small({key: True})), key
 
     for key in ("transparent.fade", "transparent.min_pixels", "plants.radius"):
-        assert wanted(small({key: 0.5})), key
-    assert wanted(small({"plants.species": 2})) and wanted(small({"plants.quads": 3}))
-    assert wanted(small({"plants.crossed_within": 7.0}))
-    assert wanted(small({"transparent.trilinear": False}))
+        assert RefinedSprites.serves(small({key: 0.5})), key
+    assert RefinedSprites.serves(small({"plants.species": 2}))
+    assert RefinedSprites.serves(small({"plants.quads": 3}))
+    assert RefinedSprites.serves(small({"plants.crossed_within": 7.0}))
+    assert RefinedSprites.serves(small({"transparent.trilinear": False}))
     for key in ("transparent.sorted", "transparent.textured"):
-        assert not wanted(small({key: False})), key
+        assert not RefinedSprites.serves(small({key: False})), key

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from stage import WHITE_LIGHT, Stage, close, pixel, project, small
+from stage import WHITE_LIGHT, Stage, close, pixel, project, small, taken
 
 from landscape.elements.water_surface import (
     PATCHES,
@@ -153,7 +153,7 @@ def test_new_settings_are_drawn_as_if_built_from_them(stage: Stage, plain: Asset
     changes = {**WHITE_LIGHT, "water.color": (0.9, 0.5, 0.1, 0.6), "water.repeat": 2.0}
     changes |= {"water.time_step": 0.05, "water.textured": False}
     water = WaterSurface(small(), plain)
-    assert water.apply(small(changes))
+    assert taken(water, small(changes))
     with stage.frame(small(changes), DOWN, 30.0) as frame:
         water.draw(frame)
         picture = stage.read()
@@ -177,7 +177,7 @@ def test_settings_of_the_patch_itself_are_refused_and_change_nothing(
     stage: Stage, plain: Assets, blended, change: dict
 ) -> None:
     water = WaterSurface(small(), plain)
-    assert not water.apply(small({**change, "water.color": (1.0, 0.0, 0.0, 1.0)}))
+    assert not taken(water, small({**change, "water.color": (1.0, 0.0, 0.0, 1.0)}))
     with stage.frame(small(), DOWN) as frame:
         water.draw(frame)
         picture = stage.read()

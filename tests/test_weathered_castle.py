@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from castles import FLAT, GATE, PLACED, at, drawn
-from stage import Stage, pixel, project, small
+from stage import Stage, kind_in, pixel, project, small
 
 from framelens.gl.seam import gl, recording
 from framelens.gl.texture import mip_levels
@@ -22,7 +22,6 @@ from landscape.elements.best.castle.slates import slate_roofs
 from landscape.elements.best.castle.torch_glow import disc, flicker, lit_patch
 from landscape.elements.best.castle.weathered_castle import (
     WeatheredCastle,
-    castle_class,
     opening_colours,
 )
 from landscape.elements.castle_fire import FLAME_Z, TORCHES
@@ -31,6 +30,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP
 from landscape.geometry.mesh import Mesh
+from landscape.island.slots import CASTLE
 
 SUN = Sun(azimuth=0.0, elevation=40.0)  # from the north, where the gate looks with yaw 0
 
@@ -250,7 +250,7 @@ def test_depth_and_stencil_are_as_if_the_door_were_a_wall(stage: Stage, plain: A
         settings = small(
             {**PLACED, "castle.ornate": True, "castle.open": True, "castle.depth": deep}
         )
-        castle = castle_class(settings)(settings, plain, FLAT)
+        castle = kind_in(CASTLE, settings)(settings, plain, FLAT)
         with stage.frame(settings, GATE) as frame:
             castle.draw(frame)
             width, height = frame.size

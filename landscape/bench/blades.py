@@ -11,7 +11,6 @@ from framelens.gl.texture import Texture
 from landscape.bench.grass import WAYS, sow
 from landscape.bench.timing import in_turns
 from landscape.elements import sun
-from landscape.elements.best import meadow
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
@@ -48,7 +47,7 @@ def measure_grass(
     owned: list[Any] = []
     try:
         owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
-        blades = Meadow if meadow.wanted(values) else Grass
+        blades = Meadow if Meadow.serves(values) else Grass
         owned.append(grass := blades(values, assets, ground, seed))
         place = replace(POSE, x=POSE.x * wider, z=POSE.z * wider)
         pose = placed(place, ground, values.walk.eye)

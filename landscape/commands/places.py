@@ -34,7 +34,9 @@ def run(options: argparse.Namespace) -> int:
     with Offscreen((16, 16), place=island.name, **given) as offscreen:
         offscreen.look(island.start)
         assert isinstance(offscreen.scene, Island)
-        sprites = offscreen.scene.sprites.sprites
+        planted = offscreen.scene.sprites
+    assert planted is not None
+    sprites = planted.sprites
     write_whole(options.file, as_csv(sprites).encode())
     if not options.quiet:
         print(f"{options.file}: {len(sprites.cells)} sprites")

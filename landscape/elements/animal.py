@@ -7,6 +7,7 @@ State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL, GL_CULL_FACE.
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Hashable
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, front_faces, matrix
 from framelens.gl.texture import Texture
 from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points
+from landscape.elements.element import Element
 from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.files.assets import Assets
@@ -34,7 +36,7 @@ def read_animal(assets: Assets, name: str, key: str) -> Mesh:
     return Mesh(vertices, vertex_normals(vertices, triangles), triangles)
 
 
-class Animal(ABC):
+class Animal(Element[Settings], ABC):
     """A lit, textured mesh at a fixed place; which settings it is built from, each animal says."""
 
     def __init__(
@@ -47,7 +49,7 @@ class Animal(ABC):
         scale: float,
     ) -> None:
         """Scale a mesh of -1..1 to ``scale`` units and place it at ``place``."""
-        self._settings, self._built_from = settings, self.built_from(settings)
+        self.settings = settings
         self._place = place
         self._yaw = yaw_deg
         self._scale = scale
@@ -57,17 +59,10 @@ class Animal(ABC):
         self._texture = Texture(read_image(assets.path("animal.png"), "RGB"))
         self._lists = self._compile(mesh)
 
-    @staticmethod
+    @classmethod
     @abstractmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the list was made from."""
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the animal must be rebuilt."""
-        if self.built_from(settings) != self._built_from:
-            return False
-        self._settings = settings
-        return True
 
     def _compile(self, mesh: Mesh) -> dict[float, DisplayList]:
         """Return the display list of a mesh with texture coordinates."""
@@ -83,18 +78,18 @@ class Animal(ABC):
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
             gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
-            lit(self._settings.shading)
+            lit(self.settings.shading)
             self._set_material()
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
             # A mesh with a hole shows its inside: it keeps its back faces.
-            with front_faces(self._closed and self._settings.camera.cull):
+            with front_faces(self._closed and self.settings.camera.cull):
                 self._list(frame).call()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     def send(self, frame: Frame) -> None:
         """Send the mesh at its place, whatever the state; back faces are left out as by draw."""
-        with matrix(), front_faces(self._closed and self._settings.camera.cull):
+        with matrix(), front_faces(self._closed and self.settings.camera.cull):
             gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             self._list(frame).call()

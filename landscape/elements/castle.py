@@ -12,8 +12,9 @@ best/castle/ornate_castle.py.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from contextlib import contextmanager
+from typing import Self
 
 import numpy as np
 
@@ -23,6 +24,8 @@ from framelens.gl.texture import Texture
 from landscape.elements.best.terrain.shadows import ShadowMap, cast_outlines, shade_foot
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, draw_fire
 from landscape.elements.castle_gate import draw_gate_in_layers
+from landscape.elements.element import Element, Site
+from landscape.elements.ground import Ground
 from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.files.assets import Assets
@@ -51,11 +54,16 @@ DOOR = 0.1, 0.36  # of the door's picture: half its width, and its height
 FOOT_SHADE = 0.22  # chosen: units from the walls within which they block part of the sky
 
 
-class Castle:
+class Castle(Element[Settings]):
     """The castle on its hill."""
 
     BRICKS = "castle_brick.png"
     SPAN = 1.0  # how often its picture is repeated, times ``castle.brick_repeat``
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it on the ground."""
+        return cls(site.settings, site.assets, site.elements[Ground].field)
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the textures and compile one display list of everything that does not move."""
@@ -64,7 +72,7 @@ class Castle:
         stands = field.height(castle.x + corners[:, 0], castle.z + corners[:, 1])
         self.base = (castle.x, float(stands.min()), castle.z)
         self._yaw, self._repeat = castle.yaw, castle.brick_repeat * self.SPAN
-        self._settings, self._built_from = settings, self.built_from(settings)
+        self.settings = settings
         names = (self.BRICKS, "torch_stone.png")
         self._brick, self._stone = (Texture(read_image(assets.path(name), "RGB")) for name in names)
         self._door, self._fire = (
@@ -75,19 +83,12 @@ class Castle:
         self._light = Texture(self._light_image(read_image(assets.path("castle_light.png"), "RGB")))
         self._masonry = DisplayList(self._send)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that are compiled into the list."""
         castle = settings.castle
         place = castle.x, castle.z, castle.yaw, castle.brick_repeat
         return *place, castle.multitexture, castle.ornate, castle.sides, castle.battlements
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the castle must be rebuilt."""
-        if self.built_from(settings) != self._built_from:
-            return False
-        self._settings = settings
-        return True
 
     def _light_image(self, image: np.ndarray) -> np.ndarray:
         """Return the light texture's image, uint8 (h, w, 3): in 2006 the file's own."""
@@ -110,12 +111,12 @@ class Castle:
         gl.glDisable(gl.GL_TEXTURE_2D)
 
     def _walls(self) -> Mesh:
-        return walls_mesh(self._repeat, self._settings.castle.battlements)
+        return walls_mesh(self._repeat, self.settings.castle.battlements)
 
     def _send_bricks(self) -> None:
         """Send the walls, and one tower four times."""
         draw_mesh(self._walls())
-        castle = self._settings.castle
+        castle = self.settings.castle
         tower = tower_mesh(self._repeat, castle.sides, castle.battlements)
         for x, z in CORNERS:
             with matrix():
@@ -139,14 +140,14 @@ class Castle:
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             gl.glTranslatef(-0.5, 0.0, -0.5)
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
-            lit(self._settings.shading)
+            lit(self.settings.shading)
             yield
 
     def _draw_gate(self, kt: float) -> None:
         draw_gate_in_layers(self._door, self._light, kt)
 
     def _draw_fire(self, frame: Frame) -> None:
-        draw_fire(self._fire, frame.kt, self._inside(frame.eye), self._settings.castle.flame_faces)
+        draw_fire(self._fire, frame.kt, self._inside(frame.eye), self.settings.castle.flame_faces)
 
     def _inside(self, point: np.ndarray) -> tuple[float, float]:
         """Return x, z of a point (3,) in the castle's own frame: the inverse of draw's matrices."""
@@ -195,7 +196,7 @@ class Castle:
         """
         x, y, z = self.base
         towers = TOWER_RADIUS, y + TOWER_TOP
-        door = (DOOR[0], y + DOOR[1]) if self._settings.walk.solid else None
+        door = (DOOR[0], y + DOOR[1]) if self.settings.walk.solid else None
         return courtyard(x, z, self._yaw, WALL, y + 1 + MERLON, towers, door)
 
     def release(self) -> None:

@@ -9,6 +9,7 @@ those streaks (switch ``dragon.mapping``, best/animals/axis_mapping.py). The dra
 """
 
 import math
+from collections.abc import Hashable
 from dataclasses import replace
 
 import numpy as np
@@ -50,11 +51,11 @@ class Dragon(Animal):
         place = swimming(dragon, level)
         super().__init__(settings, assets, mesh, place, dragon.yaw, dragon.scale)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the list was made from."""
         return settings.dragon, settings.camera.lod_pixels > 0.0, settings.water.level
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass."""
-        return dragon_obstacles(self._settings.dragon, self._settings.water.level)
+        return dragon_obstacles(self.settings.dragon, self.settings.water.level)

@@ -207,6 +207,10 @@ class Elements(Generic[Values]):
             raise LookupError(f"{kind.__name__}: not built")
         return element
 
+    def at(self, name: str) -> Element[Values] | None:
+        """Return what fills a slot; None if nothing was built there."""
+        return self._elements[name]
+
     def draw(self, name: str, frame: Frame, part: Callable[[Frame], object] | None = None) -> None:
         """Draw what fills a slot, or only a ``part`` of it, if it was built and is shown now."""
         element, names = self._elements[name], self._slots[name].names

@@ -12,7 +12,7 @@ tufts and colours are in ``elements/best/meadow/``. State used: GL_TEXTURE_2D. O
 """
 
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from framelens.base.errors import InputError
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays
 from framelens.gl.texture import Texture
-from landscape.elements.best.meadow import wanted
+from landscape.elements.element import Element, Site
 from landscape.elements.grass_cells import (
     CELL,
     bears_grass,
@@ -141,28 +141,32 @@ def check_loop(count: int) -> None:
         )
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the blades' number, places and shapes depend on."""
-    ground = settings.ground
-    grass = settings.grass
-    castle = settings.castle
-    return (
-        *(ground.scale_x, ground.scale_z),
-        *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
-        *(ground.subdivide, ground.exact_height, settings.water.level, castle.x, castle.z),
-        *(grass.count, grass.scale),
-    )
-
-
-class Grass:
+class Grass(Element[Settings]):
     """All blades, cell by cell."""
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Sow it on the ground, by the seed."""
+        return cls(site.settings, site.assets, site.elements[Ground], site.seed)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> tuple[object, ...]:
+        """Return the settings that the blades' number, places and shapes depend on."""
+        ground = settings.ground
+        grass = settings.grass
+        castle = settings.castle
+        return (
+            *(ground.scale_x, ground.scale_z),
+            *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
+            *(ground.subdivide, ground.exact_height, settings.water.level, castle.x, castle.z),
+            *(grass.count, grass.scale),
+        )
 
     def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
         """Distribute the blades over the cells at random, by ``seed``."""
-        self._settings = settings
+        self.settings = settings
         self._seed = seed
         self._field = ground.field
-        self._built_from = built_from(settings)
         self._suits = partial(bears_grass, ground.field, settings.castle)
         self._across = int(np.ceil(ground.field.size / CELL))
         self._counts = shared_out(settings.grass.count, cover(self._suits, self._across), seed)
@@ -188,7 +192,7 @@ class Grass:
             heights = self._field.terrain_height(xz[:, 0], xz[:, 1])
             places = np.insert(xz, 1, heights, axis=1)
             corners = blade_corners(rng.random(len(xz)) * 2 * np.pi)
-            vertices = blade_vertices(places, corners, self._settings.grass.scale)
+            vertices = blade_vertices(places, corners, self.settings.grass.scale)
             blades = Blades(places.astype(np.float32), vertices)
             self._held += len(xz)
         self._grown[number] = blades
@@ -203,7 +207,7 @@ class Grass:
 
     def _in_view(self, frame: Frame) -> list[int]:
         """Return the numbers of the visible cells that have blades."""
-        radius = self._settings.grass.radius
+        radius = self.settings.grass.radius
         cells = cells_around(frame.pose.x, frame.pose.z, radius, self._across)
         seen = visible_cells(frame, cell_centres(cells, self._field), radius)
         numbers = cells[:, 1] * self._across + cells[:, 0]
@@ -225,14 +229,14 @@ class Grass:
         if not self._cells or self._selected_for != view:
             self._cells = in_groups(self._in_view(frame), self._counts)
             self._selected, self._selected_for = None, view
-        if self._settings.grass.method == "loop":
+        if self.settings.grass.method == "loop":
             check_loop(sum(int(self._counts[group].sum()) for group in self._cells))
         for group in self._cells:
             # While the eye does not move, the selection is reused: only the wind changes. More
             # blades than fit into memory together are selected again in each frame.
             blades = self._blades(group) if self._selected is None else self._selected
             self._selected = blades if len(self._cells) == 1 else None
-            scale = self._settings.grass.scale
+            scale = self.settings.grass.scale
             self._send(blades.positions, bent(blades, frame.kt, scale[0]))
 
     def _send(self, positions: np.ndarray, vertices: np.ndarray) -> None:
@@ -245,24 +249,21 @@ class Grass:
             self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
             self._coordinates = np.tile(COORDINATES, (2 * count, 1))
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
-            gl.glColor3f(*self._settings.sun.tint)
+            gl.glColor3f(*self.settings.sun.tint)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._texture.bind()
-            if self._settings.grass.method == "loop":
-                send_one_by_one(positions, vertices, self._settings.grass.scale)
+            if self.settings.grass.method == "loop":
+                send_one_by_one(positions, vertices, self.settings.grass.scale)
             else:
                 with client_arrays(vertices.reshape(-1, 3), coordinates=[self._coordinates]):
                     gl.glDrawElements(gl.GL_TRIANGLES, 9 * count, gl.GL_UNSIGNED_INT, self._indices)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the blades must be regrown."""
-        if wanted(settings) or built_from(settings) != self._built_from:
-            return False
-        self._settings = settings
+    def take(self, settings: Settings) -> None:
+        """Take other settings, by which other blades may be in view."""
+        self.settings = settings
         self._selected = None
         self._cells = []
-        return True
 
     def release(self) -> None:
         """Delete the texture; may be called twice."""

@@ -13,10 +13,11 @@ stands a little above or below them (``ground.exact_height``, R15); one detail t
 sand and rock (``ground.materials``). The ground of the preset ``best`` is best/terrain/terrain.py.
 """
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
+from typing import Self
 
 import numpy as np
 from PIL import Image
@@ -24,9 +25,10 @@ from PIL import Image
 from framelens.gl.seam import drawing, drawn_now, gl
 from framelens.gl.state import attrib, use_unit
 from framelens.gl.texture import Texture
+from landscape.elements.element import Element, Site
 from landscape.elements.settings import Ground as GroundSettings
 from landscape.elements.settings import Settings
-from landscape.elements.sun import lit
+from landscape.elements.sun import direction, lit
 from landscape.files.assets import Assets
 from landscape.files.images import read_heights, read_image
 from landscape.frame import Frame
@@ -50,7 +52,6 @@ HEIGHTS = (
 Layer = tuple[Texture, float]
 """A texture, and how often it is repeated over the map."""
 TEXTURES = ("large_texture", "detail_texture", "detail_repeat", "units", "texture_size", "passes")
-OTHER_CLASS = ("materials", "tiles", "low_stretch", "shadows")  # these need best/terrain/terrain.py
 
 
 @contextmanager
@@ -154,8 +155,13 @@ def blended_over() -> Iterator[None]:
         yield
 
 
-class Ground:
+class Ground(Element[Settings]):
     """The ground, and queries for its height and colour."""
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it in the light of the sun."""
+        return cls(site.settings, site.assets, direction(site.settings.sun))
 
     def __init__(self, settings: Settings, assets: Assets, sun: np.ndarray) -> None:
         """Read heights and colours and compile the display list; ``sun`` (3,) points to it."""
@@ -163,25 +169,18 @@ class Ground:
         path = assets.path(ground.height_image, "ground.height_image")
         self.field = height_field(read_heights(path), ground, settings.water.level)
         self.large = large_texture(settings, assets, self.field, sun)
-        self._settings, self._built_from = settings, self.built_from(settings)
+        self.settings = settings
         self._textures: list[Texture] = []
         self._lists: list[DisplayList] = []
         self._build(ground, assets)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that heights, textures and list were made from."""
         ground, sun = settings.ground, settings.sun
         shaded = (sun.azimuth, sun.elevation) if has_no_colours(ground) else None
-        used = (getattr(ground, name) for name in (*HEIGHTS, *TEXTURES, *OTHER_CLASS))
+        used = (getattr(ground, name) for name in (*HEIGHTS, *TEXTURES))
         return *used, settings.water.level, shaded
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the ground must be rebuilt."""
-        if self.built_from(settings) != self._built_from:
-            return False
-        self._settings = settings
-        return True
 
     def _build(self, ground: GroundSettings, assets: Assets) -> None:
         """Compile the mesh and its two texture units."""
@@ -212,13 +211,13 @@ class Ground:
 
     def _detail(self, assets: Assets, key: str) -> Texture:
         """Read the texture that the setting ``ground.<key>`` names."""
-        ground = self._settings.ground
+        ground = self.settings.ground
         path = assets.path(getattr(ground, key), f"ground.{key}")
         return self._texture(read_image(path, largest=ground.texture_size))
 
     def draw(self, frame: Frame) -> None:
         """Call the list, in the colour of the light, or lit by it."""
-        settings = self._settings
+        settings = self.settings
         with attrib(gl.GL_CURRENT_BIT | gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT):
             gl.glColor3f(*settings.sun.tint)
             if settings.ground.lit:
@@ -248,7 +247,7 @@ class Ground:
 
     def light(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return the light that reaches x, z in units, a factor (n, 3) on colours."""
-        return np.ones((*np.shape(x), 3)) * self._settings.sun.tint
+        return np.ones((*np.shape(x), 3)) * self.settings.sun.tint
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""

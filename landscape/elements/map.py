@@ -6,12 +6,16 @@ GL_POINTS of size 5 where the walker is.
 State used: viewport, both matrices, GL_BLEND, GL_TEXTURE_2D; depth test and fog off.
 """
 
+from collections.abc import Hashable
+from typing import Self
+
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection, point_size
 from framelens.gl.texture import Texture
-from landscape.elements.ground import SHIPPED_HEIGHTS
+from landscape.elements.element import Element, Site
+from landscape.elements.ground import SHIPPED_HEIGHTS, Ground
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets, shipped
@@ -44,12 +48,22 @@ def map_picture(settings: Settings, assets: Assets, field: HeightField) -> np.nd
     return chart(field, direction(settings.sun))
 
 
-class Map:
+class Map(Element[Settings]):
     """The map and the walker's point."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings, beside the ground."""
+        return settings.overlay.map_alpha
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build the map of the ground."""
+        return cls(site.settings, site.assets, site.elements[Ground].field)
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Load or draw the picture and compile its quad."""
-        self._settings = settings
+        self.settings = settings
         self._texture = Texture(map_picture(settings, assets, field), repeat=False)
         alpha = settings.overlay.map_alpha
 
@@ -66,17 +80,10 @@ class Map:
 
         self._list = DisplayList(send)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the quad would differ."""
-        if settings.overlay.map_alpha != self._settings.overlay.map_alpha:
-            return False
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Draw the map in its own viewport."""
         width, height = frame.viewport
-        x, y = place_on_map(frame.pose.x, frame.pose.z, self._settings.ground.size)
+        x, y = place_on_map(frame.pose.x, frame.pose.z, self.settings.ground.size)
         groups = gl.GL_ENABLE_BIT | gl.GL_VIEWPORT_BIT | gl.GL_CURRENT_BIT | gl.GL_POINT_BIT
         with attrib(groups | gl.GL_COLOR_BUFFER_BIT), flat_projection(-1, 1, -1, 1, 0.1, 2):
             gl.glViewport(0, 3 * height // 4, width // 4, height // 4)

@@ -9,11 +9,15 @@ What is wrong with it: near the axis the angle changes fast, and the texture is 
 best/animals/fine_rabbit.py.
 """
 
+from collections.abc import Hashable
 from dataclasses import replace
+from typing import Self
 
 import numpy as np
 
 from landscape.elements.animal import Animal, read_animal
+from landscape.elements.element import Site
+from landscape.elements.ground import Ground
 from landscape.elements.settings import Rabbit as RabbitSettings
 from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
@@ -48,6 +52,11 @@ def rabbit_obstacles(rabbit: RabbitSettings, field: HeightField) -> tuple[Obstac
 class Rabbit(Animal):
     """The rabbit, on the ground."""
 
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Place it on the ground."""
+        return cls(site.settings, site.assets, site.elements[Ground].field)
+
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the mesh, map the texture around it and place it on the ground."""
         rabbit = settings.rabbit
@@ -57,8 +66,8 @@ class Rabbit(Animal):
         super().__init__(settings, assets, mesh, place, rabbit.yaw, rabbit.scale)
         self._obstacles = rabbit_obstacles(rabbit, field)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the list was made from."""
         return settings.rabbit, settings.camera.lod_pixels > 0.0
 

@@ -12,6 +12,7 @@ three put the sky at infinity. It never changes: ``sky.moving`` (R1) adds best/s
 State used: GL_TEXTURE_2D; fog, depth range, depth writes and GL_CLIP_PLANE0 by the switches.
 """
 
+from collections.abc import Hashable
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ from framelens.gl.state import attrib, matrix
 from framelens.gl.texture import Texture
 from landscape.elements.best.sky.clouds import Clouds
 from landscape.elements.best.sky.seamless import seamless_levels
+from landscape.elements.element import Element
 from landscape.elements.settings import Settings
 from landscape.elements.unfolded_sky import folded
 from landscape.files.assets import Assets
@@ -99,19 +101,19 @@ def face_images(settings: Settings, assets: Assets) -> list[np.ndarray]:
     return [faces[name] for name in FACES]
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the values that the constructor uses."""
-    sky = settings.sky
-    pictures = sky.set, sky.refined, sky.unfolded, sky.half_width, sky.height
-    return *pictures, sky.moving, settings.sun if sky.moving else None
-
-
-class SkyBox:
+class SkyBox(Element[Settings]):
     """The box; ``draw`` follows the viewer."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the values that the constructor uses."""
+        sky = settings.sky
+        pictures = sky.set, sky.refined, sky.unfolded, sky.half_width, sky.height
+        return *pictures, sky.moving, settings.sun if sky.moving else None
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the five faces and compile the display list."""
-        self._settings = settings
+        self.settings = settings
         sky = settings.sky
         images = face_images(settings, assets)
         levels = [seamless_levels(each) if sky.refined else [each] for each in images]
@@ -136,16 +138,9 @@ class SkyBox:
         self._list = DisplayList(send)
         self._clouds = Clouds(settings, assets) if sky.moving else None
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the box would differ."""
-        if built_from(settings) != built_from(self._settings):
-            return False
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Draw the box around the viewer, mirrored or not as the frame says."""
-        sky, level = self._settings.sky, self._settings.water.level
+        sky, level = self.settings.sky, self.settings.water.level
         x, y, z = frame.eye.tolist()
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT
@@ -158,7 +153,7 @@ class SkyBox:
             if sky.unfogged:
                 gl.glDisable(gl.GL_FOG)
             if sky.anchored:
-                x = z = self._settings.ground.size / 2
+                x = z = self.settings.ground.size / 2
             if sky.follow_y:
                 gl.glDisable(gl.GL_CLIP_PLANE0)
                 # The mirror matrix puts this at the eye's own height again.

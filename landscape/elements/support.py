@@ -24,4 +24,8 @@ OFF: dict[str, Any] = {
 def supported(settings: Settings) -> Settings:
     """Return settings without the techniques that the current OpenGL cannot draw."""
     asked = [key for key, off in OFF.items() if get(settings, key) != off]
-    return with_settings(settings, {key: OFF[key] for key in asked if not possible(key)})
+    settings = with_settings(settings, {key: OFF[key] for key in asked if not possible(key)})
+    castle = settings.castle
+    if castle.multitexture and not castle.ornate and not possible("castle.multitexture"):
+        settings = with_settings(settings, {"castle.multitexture": False})
+    return settings

@@ -56,11 +56,6 @@ class Sword(Element[Values]):
         self._textures = [Texture(read_image(path), repeat=False) for path in pictures(assets)]
         self._list = DisplayList(picture_quad)
 
-    def apply(self, settings: Values) -> bool:
-        """Apply new settings: the sun's colour is read at each draw."""
-        self.settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Draw the sword over the picture."""
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT

@@ -14,7 +14,9 @@ makes deer lean with the slope.
 State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth writes off. OpenGL 1.1.
 """
 
+from collections.abc import Collection, Hashable
 from dataclasses import replace
+from typing import Self
 
 import numpy as np
 
@@ -22,7 +24,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays
 from framelens.gl.texture import Texture
 from landscape.elements.atlas import CELLS, cell_coordinates, mip_levels, read_cells
-from landscape.elements.best.sprites import wanted
+from landscape.elements.element import Element, Site
 from landscape.elements.ground import Ground
 from landscape.elements.places_file import RANDOM, read_places
 from landscape.elements.planting import PLANT, Sprites, plant, site
@@ -32,6 +34,7 @@ from landscape.files.cache import content, recall
 from landscape.frame import Frame
 from landscape.geometry.wind import sway
 
+SPRITES = ("trees", "deer", "plants")  # one element: all of them must be sorted together
 # A billboard's vertices are bottom left, bottom right, top right, top left: two triangles.
 QUAD = np.array([[0, 1, 2, 0, 2, 3]], np.uint32)
 QUAD_S, QUAD_T = np.array([0.0, 1.0, 1.0, 0.0]), np.array([1.0, 1.0, 0.0, 0.0])
@@ -89,23 +92,34 @@ def crossed_quads(positions: np.ndarray, sizes: np.ndarray, winds: np.ndarray) -
     return out
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the sprites' places, sizes and kinds depend on."""
-    groups = settings.trees, settings.deer, settings.plants
-    sizes = [(group.count, group.size_min, group.size_max) for group in groups]
-    species = settings.trees.species, settings.deer.species
-    shared = settings.transparent
-    return (*sizes, *species, shared.places, shared.surround, *site(settings))
+def kinds_in(only: Collection[str]) -> set[str]:
+    """Return the kinds of sprites that may be shown."""
+    return {name for name in SPRITES if name in only}
 
 
-class TransparentElements:
+class TransparentElements(Element[Settings]):
     """All trees, deer and plants of the island, in one sort."""
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Plant them on the ground, by the seed."""
+        ground = site.elements[Ground]
+        return cls(site.settings, site.assets, ground, site.seed, kinds_in(site.only))
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the settings that the sprites' places, sizes and kinds depend on."""
+        groups = settings.trees, settings.deer, settings.plants
+        sizes = [(group.count, group.size_min, group.size_max) for group in groups]
+        species = settings.trees.species, settings.deer.species
+        shared = settings.transparent
+        return (*sizes, *species, shared.places, shared.surround, *site(settings))
 
     def __init__(
         self, settings: Settings, assets: Assets, ground: Ground, seed: int, kinds: set[str]
     ) -> None:
         """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
-        self._settings, self._built_from = settings, built_from(settings)
+        self.settings = settings
         shared = settings.transparent
         if shared.places == RANDOM:
             self.stand(plant(settings, ground.field, seed, kinds))
@@ -136,7 +150,7 @@ class TransparentElements:
 
         The mirrored scene is drawn from the same arrays, so the sort is done once a frame.
         """
-        shared, plants = self._settings.transparent, self._settings.plants
+        shared, plants = self.settings.transparent, self.settings.plants
 
         seen = visible(frame, self._boards.positions, shared.radius)
         places = self._boards.positions[seen]
@@ -173,8 +187,8 @@ class TransparentElements:
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_CURRENT_BIT):
-            gl.glColor3f(*self._settings.sun.tint)
-            if self._settings.transparent.textured:
+            gl.glColor3f(*self.settings.sun.tint)
+            if self.settings.transparent.textured:
                 gl.glDepthMask(gl.GL_FALSE)
                 gl.glEnable(gl.GL_BLEND)
                 gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
@@ -185,13 +199,6 @@ class TransparentElements:
             with client_arrays(vertices, coordinates=[coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the sprites must be rebuilt."""
-        if wanted(settings) or built_from(settings) != self._built_from:
-            return False
-        self._settings = settings
-        return True
 
     def release(self) -> None:
         """Delete the atlas; may be called twice."""

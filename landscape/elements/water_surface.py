@@ -11,11 +11,14 @@ first two the class Sea (best/sea/sea.py) replaces this one; HorizonRing (best/s
 third.
 """
 
+from collections.abc import Hashable
+
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, matrix
 from framelens.gl.texture import Texture
+from landscape.elements.element import Element
 from landscape.elements.settings import Settings, Water
 from landscape.elements.sun import lit
 from landscape.files.assets import Assets
@@ -70,18 +73,18 @@ def wave_coordinates(plane: np.ndarray, t: float, repeat: float) -> np.ndarray:
     return np.ascontiguousarray(repeat * np.stack([s, r], axis=1), np.float32)
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the values that the constructor uses."""
-    water = settings.water
-    return water.points, water.patch, water.level, water.trilinear, water.lod_bias
-
-
-class WaterSurface:
+class WaterSurface(Element[Settings]):
     """The water surface; ``draw`` computes the waves of the frame's kt."""
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the values that the constructor uses."""
+        water = settings.water
+        return water.points, water.patch, water.level, water.trilinear, water.lod_bias
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Build the patch and load the texture."""
-        self._settings = settings
+        self.settings = settings
         water = settings.water
         self._plane = patch_plane(water.points)
         px, py = self._plane
@@ -90,20 +93,13 @@ class WaterSurface:
         self._triangles = grid_triangles(water.points, water.points)
         self._texture = water_texture(settings, assets)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the patch would differ."""
-        if built_from(settings) != built_from(self._settings):
-            return False
-        self._settings = settings
-        return True
-
     def mark(self) -> None:
         """Send the bare surface, for the stencil."""
-        level_square(*water_square(self._settings.water), self._settings.water.level)
+        level_square(*water_square(self.settings.water), self.settings.water.level)
 
     def draw(self, frame: Frame) -> None:
         """Blend the surface over the mirrored scene."""
-        water = self._settings.water
+        water = self.settings.water
         t = wave_time(frame.kt, water)
         normals = wave_normals(self._plane, t)
         coordinates = wave_coordinates(self._plane, t, water.repeat)
@@ -112,7 +108,7 @@ class WaterSurface:
             gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            lit(self._settings.shading)
+            lit(self.settings.shading)
             gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)

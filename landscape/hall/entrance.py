@@ -87,6 +87,7 @@ class Entrance(Element[Settings]):
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the pictures and compile the display list."""
+        self.settings = settings
         south = set_files("day", True, assets)[FACES.index("south")]
         self._sky = Texture(read_smooth(south), repeat=False)
         self._detail = Texture(read_image(assets.path("ground_detail.png"), "RGB"))

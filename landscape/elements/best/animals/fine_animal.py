@@ -72,7 +72,7 @@ class FineAnimal(Animal):
 
     def _compile(self, mesh: Mesh) -> dict[float, DisplayList]:
         """Return a display list for each level of detail, by the side of its cubes."""
-        cubes = CUBES if self._settings.camera.lod_pixels > 0.0 else CUBES[:1]
+        cubes = CUBES if self.settings.camera.lod_pixels > 0.0 else CUBES[:1]
         levels = recall(
             ["levels of detail", repr(cubes), *self._source],
             lambda: packed(levels_of_detail(mesh, self._lay, cubes)),
@@ -85,15 +85,15 @@ class FineAnimal(Animal):
 
     def level(self, frame: Frame) -> float:
         """Return the cube side of the coarsest level whose error is no larger than allowed."""
-        allowed = self._settings.camera.lod_pixels
+        allowed = self.settings.camera.lod_pixels
         if allowed <= 0.0:
             return CUBES[0]
         if frame.mirrored:
-            allowed *= self._settings.reflection.lod_scale
+            allowed *= self.settings.reflection.lod_scale
         elif frame.detail.coarser > 1.0:
             allowed *= IN_MOTION
         away = math.dist(frame.eye, self._middle(frame)) - self._reach
-        unit = frame.pixels / max(away, self._settings.camera.near)
+        unit = frame.pixels / max(away, self.settings.camera.near)
         return max(cube for cube in self._lists if cube * self._scale * unit <= allowed)
 
     def _list(self, frame: Frame) -> DisplayList:
@@ -102,7 +102,7 @@ class FineAnimal(Animal):
     def _middle(self, frame: Frame) -> tuple[float, float, float]:
         """Return the animal's centre, or its mirror image if the frame is mirrored."""
         x, y, z = self._place
-        return x, mirrored_height(y, self._settings.water.level) if frame.mirrored else y, z
+        return x, mirrored_height(y, self.settings.water.level) if frame.mirrored else y, z
 
     def visible(self, frame: Frame) -> bool:
         """Return whether the bounding sphere, mirrored if the frame is, meets the view frustum."""
@@ -110,5 +110,5 @@ class FineAnimal(Animal):
 
     def draw(self, frame: Frame) -> None:
         """Draw the mesh at its place; with ``camera.cull``, only if it is in view."""
-        if not self._settings.camera.cull or self.visible(frame):
+        if not self.settings.camera.cull or self.visible(frame):
             super().draw(frame)

@@ -5,6 +5,7 @@ multiplied by it: GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2). What else they mirror
 State used: as the fine animal; specular material and the light model's colour control.
 """
 
+from collections.abc import Hashable
 from contextlib import nullcontext
 from dataclasses import replace
 
@@ -16,7 +17,7 @@ from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
 from landscape.elements.best.animals.wet_sheen import WetSheen
-from landscape.elements.dragon import Dragon, dragon_obstacles, planar, swimming
+from landscape.elements.dragon import dragon_obstacles, planar, swimming
 from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import content
@@ -27,16 +28,16 @@ from landscape.geometry.obstacles import Obstacle
 SHININESS = 40.0  # chosen: wet scales
 
 
-def dragon_class(settings: Settings) -> type[Dragon] | type["FineDragon"]:
-    """Return the class whose dragon these settings describe."""
-    dragon = settings.dragon
-    fine = dragon.mapping == "axis" or dragon.painted or dragon.gloss > 0.0
-    fine = fine or dragon.sheen > 0.0
-    return FineDragon if fine or settings.camera.lod_pixels > 0.0 else Dragon
-
-
 class FineDragon(FineAnimal):
     """The dragon, its water line at the water's level."""
+
+    asked_by = (
+        "dragon.mapping",
+        "dragon.painted",
+        "dragon.gloss",
+        "dragon.sheen",
+        "camera.lod_pixels",
+    )
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the mesh and its colours, make its levels and lower it to its water line."""
@@ -54,8 +55,8 @@ class FineDragon(FineAnimal):
         self._sheen = WetSheen.made(settings, assets)
         super().__init__(settings, assets, mesh, lay, source, place, dragon.yaw, dragon.scale)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the lists were made from."""
         dragon = settings.dragon
         dragon = replace(dragon, gloss=float(dragon.gloss > 0.0), sheen=float(dragon.sheen > 0.0))
@@ -64,13 +65,13 @@ class FineDragon(FineAnimal):
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass."""
-        return dragon_obstacles(self._settings.dragon, self._settings.water.level)
+        return dragon_obstacles(self.settings.dragon, self.settings.water.level)
 
     def draw(self, frame: Frame) -> None:
         """Draw the dragon; where it is out of view, not even the state of its sheen is set."""
-        if self._settings.camera.cull and not self.visible(frame):
+        if self.settings.camera.cull and not self.visible(frame):
             return
-        dragon = self._settings.dragon
+        dragon = self.settings.dragon
         with self._sheen.shining(frame, dragon.sheen, dragon.wet) if self._sheen else nullcontext():
             super().draw(frame)
 
@@ -83,7 +84,7 @@ class FineDragon(FineAnimal):
     def _set_material(self) -> None:
         """Add the specular highlight; popping GL_LIGHTING_BIT restores all of this."""
         super()._set_material()
-        gloss = self._settings.dragon.gloss
+        gloss = self.settings.dragon.gloss
         if not gloss:
             return
         glint_after_texture()

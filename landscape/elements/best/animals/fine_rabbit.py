@@ -1,7 +1,9 @@
 """The rabbit of the preset `best`: mapped along axes (R12), painted, furry, in levels of detail."""
 
 import math
+from collections.abc import Hashable
 from dataclasses import replace
+from typing import Self
 
 import numpy as np
 
@@ -10,8 +12,9 @@ from framelens.gl.state import attrib, front_faces, matrix
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
 from landscape.elements.best.animals.fur import Fur
+from landscape.elements.element import Site
 from landscape.elements.ground import Ground
-from landscape.elements.rabbit import Rabbit, cylindrical, rabbit_obstacles, standing
+from landscape.elements.rabbit import cylindrical, rabbit_obstacles, standing
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, lit, painted
 from landscape.files.assets import Assets
@@ -24,18 +27,23 @@ from landscape.geometry.obstacles import Obstacle
 SHADED = 0.3  # chosen: fraction of the sun that is left to what rises out of a shadow
 
 
-def rabbit_class(settings: Settings) -> type[Rabbit] | type["FineRabbit"]:
-    """Return the class whose rabbit these settings describe."""
-    rabbit = settings.rabbit
-    fine = rabbit.mapping == "axis" or rabbit.painted or rabbit.fur > 0
-    return FineRabbit if fine or settings.camera.lod_pixels > 0.0 else Rabbit
-
-
 class FineRabbit(FineAnimal):
     """The rabbit, on the ground."""
 
     _sunny = 1.0
     _fur: Fur | None = None
+
+    asked_by = (
+        "rabbit.mapping",
+        "rabbit.painted",
+        "rabbit.fur",
+        "camera.lod_pixels",
+    )
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Place it on the ground."""
+        return cls(site.settings, site.assets, site.elements[Ground].field)
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the mesh and its colours, make its levels and place it on the ground."""
@@ -54,14 +62,14 @@ class FineRabbit(FineAnimal):
         if rabbit.fur:
             self._fur = Fur(mesh, repr(source), rabbit.scale, rabbit.fur)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the lists were made from."""
         return settings.rabbit, settings.camera.lod_pixels > 0.0
 
     def stand_in(self, ground: Ground) -> None:
         """Take the light of the ground: in a shadow that is painted there, the sun is dimmed."""
-        sun, (x, _, z) = self._settings.sun, self._place
+        sun, (x, _, z) = self.settings.sun, self._place
         found = ground.light(np.array([x]), np.array([z]))[0]
         shade, full = np.array(sun.shade), painted(sun, float(direction(sun)[1]))
         if sun.relit:
@@ -70,9 +78,9 @@ class FineRabbit(FineAnimal):
     def draw(self, frame: Frame) -> None:
         """Draw the skin, and then the fur in the same place and light."""
         super().draw(frame)
-        if self._fur is None or (self._settings.camera.cull and not self.visible(frame)):
+        if self._fur is None or (self.settings.camera.cull and not self.visible(frame)):
             return
-        away = max(math.dist(frame.eye, self._middle(frame)), self._settings.camera.near)
+        away = max(math.dist(frame.eye, self._middle(frame)), self.settings.camera.near)
         seen = self._fur.seen(frame.pixels / away)
         if not seen:
             return
@@ -80,10 +88,10 @@ class FineRabbit(FineAnimal):
         with matrix(), attrib(groups):
             gl.glTranslatef(*self._place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
-            lit(self._settings.shading)
+            lit(self.settings.shading)
             self._set_material()
             gl.glEnable(gl.GL_TEXTURE_2D)
-            with front_faces(self._closed and self._settings.camera.cull):
+            with front_faces(self._closed and self.settings.camera.cull):
                 self._fur.draw(seen)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
@@ -98,7 +106,7 @@ class FineRabbit(FineAnimal):
         super()._set_material()
         if self._sunny < 1.0:
             left = SHADED + (1.0 - SHADED) * self._sunny
-            colour = np.append(left * np.array(self._settings.sun.diffuse), 1.0)
+            colour = np.append(left * np.array(self.settings.sun.diffuse), 1.0)
             gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, colour.astype(np.float32))
 
     def obstacles(self) -> tuple[Obstacle, ...]:

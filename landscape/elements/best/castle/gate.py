@@ -58,6 +58,8 @@ def without_gate(walls: Mesh, repeat: float) -> Mesh:
 class CastleInOnePass(Castle):
     """The castle of 2006 with its gate in one layer."""
 
+    asked_by = ("castle.multitexture",)
+
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Compile the castle without its gate, and the gate."""
         super().__init__(settings, assets, field)
@@ -68,7 +70,7 @@ class CastleInOnePass(Castle):
 
     def _walls(self) -> Mesh:
         return without_gate(
-            walls_mesh(self._repeat, self._settings.castle.battlements), self._repeat
+            walls_mesh(self._repeat, self.settings.castle.battlements), self._repeat
         )
 
     def _units(self) -> list[Unit]:

@@ -8,6 +8,7 @@ State used: as gate.py, with four texture units.
 """
 
 import math
+from collections.abc import Hashable
 from dataclasses import replace
 
 import numpy as np
@@ -53,10 +54,12 @@ NEUTRAL = 127.5  # of the halo: doubled, it leaves the wall as it is
 class OrnateCastle(CastleInOnePass):
     """The castle with all its ornaments."""
 
+    asked_by = ("castle.ornate",)
+
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Compute the light map, or take it from the cache, and compile the lists."""
         castle, sun = settings.castle, settings.sun
-        self._settings, self._field = settings, field
+        self.settings, self._field = settings, field
         bricks, strips = ornate_masonry(castle.brick_repeat * self.SPAN)
         made_from = castle.brick_repeat, castle.yaw, castle.torches, sun
         picture, lit = recall(
@@ -73,8 +76,8 @@ class OrnateCastle(CastleInOnePass):
         self._hall = Doorway(self._brick, self._opening) if deep else None
         self._glow = TorchGlow(self._ground_at) if castle.glow > 0.0 else None
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the lists and the light map were made from."""
         castle = settings.castle
         place = castle.x, castle.z, castle.yaw, castle.brick_repeat
@@ -83,12 +86,12 @@ class OrnateCastle(CastleInOnePass):
 
     def _light_on(self, mesh: Mesh, strips: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
         """Return the light map of the bricks and its texture coordinates."""
-        castle = self._settings.castle
-        return light_map(mesh, strips, self._settings.sun, castle.yaw, castle.torches)
+        castle = self.settings.castle
+        return light_map(mesh, strips, self.settings.sun, castle.yaw, castle.torches)
 
     def _light_image(self, image: np.ndarray) -> np.ndarray:
         glow = super()._light_image(image)
-        warm = WARM if self._settings.castle.glow > 0.0 else 1.0
+        warm = WARM if self.settings.castle.glow > 0.0 else 1.0
         return np.asarray(NEUTRAL + BY_DAY * warm * (glow - NEUTRAL) + 0.5, np.uint8)
 
     def _send_bricks(self) -> None:
@@ -157,7 +160,7 @@ class OrnateCastle(CastleInOnePass):
     @property
     def is_open(self) -> bool:
         """Whether the door is open."""
-        return self._settings.castle.open
+        return self.settings.castle.open
 
     def _ground_at(self, places: np.ndarray) -> np.ndarray:
         """Return the ground's height (n,) at places (n, 2) in the castle's own frame."""
@@ -186,7 +189,7 @@ class OrnateCastle(CastleInOnePass):
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass: with ``walk.solid`` the keep as well."""
         walls = super().obstacles()
-        if not self._settings.walk.solid:
+        if not self.settings.walk.solid:
             return walls
         x0, z0, x1, z1, top = KEEP
         middle = np.array([[(x0 + x1) / 2, (z0 + z1) / 2]])
@@ -200,7 +203,7 @@ class OrnateCastle(CastleInOnePass):
         y = self.base[1] + 0.5
         z = self.base[2]
         if frame.mirrored:
-            y = mirrored_height(y, self._settings.water.level)
+            y = mirrored_height(y, self.settings.water.level)
         return ball_in_view(frame, (x, y, z), REACH)
 
     def draw(self, frame: Frame) -> None:
@@ -210,17 +213,17 @@ class OrnateCastle(CastleInOnePass):
 
     def draw_solid(self, frame: Frame) -> None:
         """Draw what is opaque: drawn before ground and sky, it hides much of them."""
-        if not self._settings.camera.cull or self.visible(frame):
+        if not self.settings.camera.cull or self.visible(frame):
             with self._placed():
                 # The gate wall first: who stands before it sees little else of the castle.
                 with attrib(gl.GL_ENABLE_BIT):
                     self._draw_gate(frame.kt)
-                with front_faces(self._settings.camera.cull and not frame.mirrored):
+                with front_faces(self.settings.camera.cull and not frame.mirrored):
                     self._masonry.call()
 
     def draw_rest(self, frame: Frame) -> None:
         """Draw the open door, what is blended, and what lies on the ground."""
-        if not self._settings.camera.cull or self.visible(frame):
+        if not self.settings.camera.cull or self.visible(frame):
             with self._placed():
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 gl.glEnable(gl.GL_BLEND)
@@ -235,16 +238,16 @@ class OrnateCastle(CastleInOnePass):
         if self.is_open:
             self._draw_open_door(frame)
         self._draw_details(frame)
-        if frame.mirrored and self._settings.reflection.rippled:
+        if frame.mirrored and self.settings.reflection.rippled:
             return
         if self._glow:
-            castle = self._settings.castle
+            castle = self.settings.castle
             faces = self._inside(frame.eye) if castle.flame_faces else None
             self._glow.draw(frame, self._fire, faces, castle.glow, castle.torches)
         else:
             super()._draw_fire(frame)
         gl.glDisable(gl.GL_TEXTURE_2D)
-        sun = self._settings.sun
+        sun = self.settings.sun
         draw_pennants(frame.kt, painted(sun, direction(sun)[1]))
 
     def release(self) -> None:

@@ -25,14 +25,12 @@ from landscape.elements.best.castle.blocks import (
     add_steps,
 )
 from landscape.elements.best.castle.footing import ground_marks, rubble
-from landscape.elements.best.castle.gate import CastleInOnePass
 from landscape.elements.best.castle.grain import grain, grained
 from landscape.elements.best.castle.growth import leaves
 from landscape.elements.best.castle.loopholes import loopholes, openings
 from landscape.elements.best.castle.ornate_castle import OrnateCastle
 from landscape.elements.best.castle.slates import slate_roofs
 from landscape.elements.best.castle.weathering import worn_light, worn_light_map
-from landscape.elements.castle import Castle
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, lit, painted
 from landscape.files.assets import Assets
@@ -43,7 +41,6 @@ from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
-from landscape.gl.features import possible
 
 CLOSE = 2.0  # chosen: units from its middle within which the stones' grain is seen
 NEAR, MIDDLE = 5.5, 9.0  # chosen: units from the castle within which stones, and leaves, are seen
@@ -81,6 +78,11 @@ class WeatheredCastle(OrnateCastle):
     BRICKS = "castle_ashlar.png"
     SPAN = 0.75  # chosen: its stones are of the bricks' size, but fill a larger picture
 
+    @classmethod
+    def serves(cls, settings: Settings) -> bool:
+        """Return whether an ornate castle is to be weathered."""
+        return super().serves(settings) and settings.castle.weathered
+
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Compute the light on all of it, or take it from the cache, and compile the lists."""
         self._slates = Texture(read_image(assets.path("castle_slate.png"), "RGB"))
@@ -94,12 +96,12 @@ class WeatheredCastle(OrnateCastle):
         self._marks_list = DisplayList(self._send_marks)
 
     def _light_on(self, mesh: Mesh, strips: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-        castle = self._settings.castle
-        return worn_light_map(mesh, strips, self._settings.sun, castle.yaw, castle.torches)
+        castle = self.settings.castle
+        return worn_light_map(mesh, strips, self.settings.sun, castle.yaw, castle.torches)
 
     def _lit(self, name: str, mesh: Mesh, tints: np.ndarray, worn: bool = True) -> Mesh:
         """Return a mesh coloured by the light on it times tints (n, 3)."""
-        castle, sun = self._settings.castle, self._settings.sun
+        castle, sun = self.settings.castle, self.settings.sun
         light = worn_light if worn else arriving
 
         def make() -> tuple[np.ndarray]:
@@ -122,7 +124,7 @@ class WeatheredCastle(OrnateCastle):
     def _send_openings(self) -> None:
         """Send what is behind loopholes and windows, dark but for those that are lit."""
         vertices = np.ascontiguousarray(loopholes().reshape(-1, 3), np.float32)
-        colours = opening_colours(self._settings.castle.torches)
+        colours = opening_colours(self.settings.castle.torches)
         with attrib(gl.GL_ENABLE_BIT), client_arrays(vertices, None, colours):
             gl.glDisable(gl.GL_LIGHTING)
             gl.glDrawArrays(gl.GL_QUADS, 0, len(vertices))
@@ -151,7 +153,7 @@ class WeatheredCastle(OrnateCastle):
 
     def _send_marks(self) -> None:
         """Send what darkens the ground, in the light that reaches it."""
-        castle, sun = self._settings.castle, self._settings.sun
+        castle, sun = self.settings.castle, self.settings.sun
         vertices, colours, triangles = ground_marks(self._ground_at)
         up = np.tile([0.0, 1.0, 0.0], (len(vertices), 1))
         light = arriving(vertices.astype(float), up, sun, castle.yaw, castle.torches)
@@ -180,7 +182,7 @@ class WeatheredCastle(OrnateCastle):
         with attrib(groups):
             gl.glDisable(gl.GL_BLEND)
             gl.glEnable(gl.GL_TEXTURE_2D)
-            lit(self._settings.shading)
+            lit(self.settings.shading)
             if away < NEAR:
                 gl.glEnable(gl.GL_CULL_FACE)
                 self._stones_list.call()
@@ -194,12 +196,3 @@ class WeatheredCastle(OrnateCastle):
         for texture in (self._slates, self._leaves, self._grain):
             texture.release()
         super().release()
-
-
-def castle_class(settings: Settings) -> type[Castle]:
-    """Return the class whose castle these settings describe."""
-    castle = settings.castle
-    if castle.ornate:
-        return WeatheredCastle if castle.weathered else OrnateCastle
-    layered = not castle.multitexture or not possible("castle.multitexture")
-    return Castle if layered else CastleInOnePass

@@ -18,8 +18,9 @@ sward, GL_ALPHA_TEST, and GL_SAMPLE_ALPHA_TO_COVERAGE (1.3) where a pixel has se
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from contextlib import contextmanager, nullcontext
+from typing import Self
 
 import numpy as np
 
@@ -52,9 +53,9 @@ from landscape.elements.best.meadow.sward import (
     texture_coordinates,
 )
 from landscape.elements.best.terrain.shadows import cast_from
+from landscape.elements.element import Element, Site
 from landscape.elements.fog import visibility
-from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, TALLEST, WIND, blade_wind
-from landscape.elements.grass import built_from as grass_built_from
+from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, TALLEST, WIND, Grass, blade_wind
 from landscape.elements.grass_cells import (
     CELL,
     HALF_DIAGONAL,
@@ -131,25 +132,40 @@ def sharper(coarser: float) -> Iterator[None]:
         bias(0.0)
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the blades' number, places, shapes and tints depend on."""
-    grass, ground = settings.grass, settings.ground
-    used = [*grass_built_from(settings), grass.tufts, grass.arch, grass.variety, grass.fade]
-    used += [grass.tinted, grass.radius if grass.fade else None, grass.sward]
-    used += [grass.flowers if grass.sward else None]
-    if grass.tinted:
-        used += [ground.large_texture, ground.texture_size, settings.sun.tint]
-        used += cast_from(settings)
-    return tuple(used)
-
-
-class Meadow:
+class Meadow(Element[Settings]):
     """All blades, cell by cell."""
+
+    asked_by = (
+        "grass.tinted",
+        "grass.fade",
+        "grass.facing",
+        "grass.tufts",
+        "grass.variety",
+        "grass.sward",
+        "grass.gusts",
+        "grass.arch",
+    )
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Sow it on the ground, by the seed."""
+        return cls(site.settings, site.assets, site.elements[Ground], site.seed)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the settings that the blades' number, places, shapes and tints depend on."""
+        grass, ground = settings.grass, settings.ground
+        used = [*Grass.built_from(settings), grass.tufts, grass.arch, grass.variety, grass.fade]
+        used += [grass.tinted, grass.radius if grass.fade else None, grass.sward]
+        used += [grass.flowers if grass.sward else None]
+        if grass.tinted:
+            used += [ground.large_texture, ground.texture_size, settings.sun.tint]
+            used += cast_from(settings)
+        return tuple(used)
 
     def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
         """Distribute the blades over the cells at random, by ``seed``; they are made when seen."""
-        self._settings, self._field = settings, ground.field
-        self._built_from = built_from(settings)
+        self.settings, self._field = settings, ground.field
         if settings.grass.sward:
             path = assets.path("sward.png")
             levels = list(recall(("sward", content(path)), lambda: tuple(sward_levels(path))))
@@ -176,7 +192,7 @@ class Meadow:
         There, a blade that covers hardly a pixel is not worth its vertices; the ground has its
         colour. They sink towards the end of the reach as at the end of the radius.
         """
-        grass, coarser = self._settings.grass, frame.detail.coarser
+        grass, coarser = self.settings.grass, frame.detail.coarser
         if coarser <= 1.0 or not grass.fade:
             return grass.radius
         pixels = frame.size[1] / 2.0 / math.tan(math.radians(frame.fov / 2.0))
@@ -189,7 +205,7 @@ class Meadow:
         With ``margin`` units and ``angle`` radians, all that is to be drawn until the eye has moved
         and turned that far. Without, it is the plain form of :meth:`choice`.
         """
-        growth, grass = self._growth, self._settings.grass
+        growth, grass = self._growth, self.settings.grass
         growth.forget(self._in_view)
         radius = self.reach(frame)
         cells = cells_around(frame.pose.x, frame.pose.z, radius + margin, growth.across)
@@ -230,7 +246,7 @@ class Meadow:
         outside the window, or have sunk into the ground. Without ``grass.fade`` no blade sinks at
         the end of its range, so each position of the eye needs its own choice.
         """
-        fade = self._settings.grass.fade
+        fade = self.settings.grass.fade
         margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if fade else (0.0, 0.0)
         if frame.detail.grass < 1.0 or frame.detail.coarser > 1.0:
             # Blades too many cost less than choosing again, the more so in other frames than
@@ -252,7 +268,7 @@ class Meadow:
 
         The choice has a margin for frames to come: half of it has sunk or is beside the picture.
         """
-        if not self._settings.grass.fade:
+        if not self.settings.grass.fade:
             return patch
         ranges = self._ranges(frame, patch)
         kept = showing(frame, patch.places, ranges, patch.sizes, self._widening)
@@ -268,7 +284,7 @@ class Meadow:
 
         Without facing and fade they are those of the plain :func:`grass.bent`.
         """
-        grass, places = self._settings.grass, patch.places
+        grass, places = self.settings.grass, patch.places
         columns = np.array(patch.columns)
         wind = blade_wind(frame.kt, places.T, grass.scale[0]).T
         if grass.gusts:
@@ -302,7 +318,7 @@ class Meadow:
 
     def _clear_of_fog(self, frame: Frame) -> bool:
         """Return whether fog would change nothing that one sees of the blades."""
-        fog, reach = self._settings.fog, np.array(self.reach(frame))
+        fog, reach = self.settings.fog, np.array(self.reach(frame))
         return fog.mode == "exp2" and bool(visibility(reach, fog.density) > CLEAR)
 
     def draw(self, frame: Frame) -> None:
@@ -316,8 +332,8 @@ class Meadow:
         if len(self._indices) < 9 * count:
             first = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
             self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
-        tinted = patch.tints.reshape(-1, 4) if self._settings.grass.tinted else None
-        cut = cut_out() if self._settings.grass.sward else nullcontext()
+        tinted = patch.tints.reshape(-1, 4) if self.settings.grass.tinted else None
+        cut = cut_out() if self.settings.grass.sward else nullcontext()
         sharp = sharper(frame.detail.coarser)
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), cut, sharp:
             gl.glEnable(gl.GL_TEXTURE_2D)
@@ -325,7 +341,7 @@ class Meadow:
                 gl.glDisable(gl.GL_FOG)
             self._texture.bind()
             if tinted is None:
-                gl.glColor3f(*self._settings.sun.tint)
+                gl.glColor3f(*self.settings.sun.tint)
             else:
                 # Twice texture times tint: a tint can make a blade lighter than its texture.
                 multiply(2.0)
@@ -336,12 +352,9 @@ class Meadow:
                 multiply()
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the blades must be regrown."""
-        if built_from(settings) != self._built_from:
-            return False
-        self._settings, self._chosen = settings, None
-        return True
+    def take(self, settings: Settings) -> None:
+        """Take other settings, by which other blades may be in view."""
+        self.settings, self._chosen = settings, None
 
     def release(self) -> None:
         """Delete the texture; may be called twice."""

@@ -9,9 +9,14 @@ What is wrong with it: sprites do not write their depth, so they are drawn over 
 where it lies before them. Where it is thickest there are none.
 """
 
+from collections.abc import Hashable
+from typing import Self
+
 import numpy as np
 
 from landscape.elements.best.mist.mist_sheets import UNLIT, MistSheets
+from landscape.elements.element import Element, Site
+from landscape.elements.ground import Ground
 from landscape.elements.settings import Settings, Sun
 from landscape.elements.sun import painted
 from landscape.files.assets import Assets
@@ -69,13 +74,19 @@ def sheet(field: HeightField, sun: Sun, density: float, height: float) -> Mesh:
     )
 
 
-class BayMist:
+class BayMist(Element[Settings]):
     """The mist."""
+
+    asked_by = ("mist.enabled",)
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it over the ground."""
+        return cls(site.settings, site.assets, site.elements[Ground].field)
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the clouds and compile the sheets over the ground of ``field``."""
-        self._built_from = self.built_from(settings)
-        mist = settings.mist
+        self.settings, mist = settings, settings.mist
         heights = np.linspace(LOW, HIGH, mist.sheets) if mist.sheets > 1 else np.array([LOW])
         sheets = [sheet(field, settings.sun, mist.density, each) for each in heights.tolist()]
         picture = read_image(assets.path("clouds.png"))
@@ -83,14 +94,10 @@ class BayMist:
         picture = np.dstack([picture[..., :3], gaps])
         self._sheets = MistSheets(picture, field.water_level + heights, sheets, REPEAT)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the sheets were made from, beside the ground."""
         return settings.mist, settings.sun, settings.water.level
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the sheets would differ."""
-        return self.built_from(settings) == self._built_from
 
     def draw(self, frame: Frame) -> None:
         """Blend the sheets over what has been drawn."""

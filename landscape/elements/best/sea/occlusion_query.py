@@ -5,6 +5,10 @@ them. So a square at the height the sea may reach is tested against the depth bu
 (gl/surface_query.py).
 """
 
+from collections.abc import Hashable
+from typing import Self
+
+from landscape.elements.element import Element, Site
 from landscape.elements.settings import Settings
 from landscape.elements.water_surface import water_square
 from landscape.gl.surface_query import SurfaceQuery
@@ -12,23 +16,33 @@ from landscape.gl.surface_query import SurfaceQuery
 ABOVE = 0.05  # chosen: units above the water level that no wave and no breaker reaches
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the values that the constructor uses."""
-    return settings.water.level, water_square(settings.water)
-
-
-class SeaQuery(SurfaceQuery):
+class SeaQuery(SurfaceQuery, Element[Settings]):
     """The query for the sea."""
+
+    @classmethod
+    def serves(cls, settings: Settings) -> bool:
+        """Return whether to ask: not for a mirror image in the framebuffer.
+
+        That is drawn before the land, when there is nothing yet that could hide the sea.
+        """
+        return settings.water.query and settings.reflection.rippled
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it; it needs no files."""
+        return cls(site.settings)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the values that the constructor uses."""
+        return settings.water.level, water_square(settings.water)
 
     def __init__(self, settings: Settings) -> None:
         """Make the query, and compile the square that the sea may reach."""
-        self._built_from = built_from(settings)
+        self.settings = settings
         square = water_square(settings.water)
         super().__init__(settings.water.level + ABOVE, *square, settings.camera.near)
 
-    def apply(self, settings: Settings) -> bool:
-        """Return whether the query is also valid for new settings: for the same surface."""
-        if built_from(settings) != self._built_from:
-            return False
-        self._near = settings.camera.near
-        return True
+    def take(self, settings: Settings) -> None:
+        """Take other settings: the camera's near plane may be another."""
+        self.settings, self._near = settings, settings.camera.near

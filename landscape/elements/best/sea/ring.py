@@ -6,10 +6,14 @@ in the same colour. (Sea needs no ring: its own grid reaches the horizon.)
 State used: GL_BLEND, GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_MATERIAL.
 """
 
+from collections.abc import Hashable
+
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays
+from landscape.elements.best.sea.sea import Sea
+from landscape.elements.element import Element
 from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
 from landscape.elements.water_surface import PATCHES, water_texture
@@ -37,19 +41,24 @@ def ring_grid(inner: tuple[float, float], reach: float) -> tuple[np.ndarray, np.
     return points, np.ascontiguousarray(triangles[outside])
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the values that the constructor uses."""
-    water = settings.water
-    shape = water.level, water.patch, water.repeat, water.horizon
-    return *shape, water.trilinear, water.lod_bias
-
-
-class HorizonRing:
+class HorizonRing(Element[Settings]):
     """The sea beyond the patches."""
+
+    @classmethod
+    def serves(cls, settings: Settings) -> bool:
+        """Return whether the water of 2006 is to reach farther: the other sea does so itself."""
+        return settings.water.horizon > 0 and not Sea.serves(settings)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the values that the constructor uses."""
+        water = settings.water
+        shape = water.level, water.patch, water.repeat, water.horizon
+        return *shape, water.trilinear, water.lod_bias
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Load the texture and compile the ring."""
-        self._settings = settings
+        self.settings = settings
         water = settings.water
         inner = (PATCHES[0] * water.patch, (PATCHES[-1] + 1) * water.patch)
         points, triangles = ring_grid(inner, water.horizon)
@@ -64,22 +73,15 @@ class HorizonRing:
 
         self._list = DisplayList(send)
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the ring would differ."""
-        if built_from(settings) != built_from(self._settings):
-            return False
-        self._settings = settings
-        return True
-
     def draw(self, frame: Frame) -> None:
         """Blend the ring over the mirrored scene; it is the same in each frame."""
-        water = self._settings.water
+        water = self.settings.water
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups):
             gl.glColor4f(*water.color)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            lit(self._settings.shading)
+            lit(self.settings.shading)
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()

@@ -15,8 +15,9 @@ texture matrix, GL_BLEND.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from contextlib import contextmanager
+from typing import Self
 
 import numpy as np
 
@@ -45,6 +46,8 @@ from landscape.elements.best.sea.waves import (
     unfolded,
     waves,
 )
+from landscape.elements.element import Element, Site
+from landscape.elements.ground import Ground
 from landscape.elements.reflection import inside_water
 from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
@@ -75,13 +78,6 @@ def fog_depths(grid: EyeGrid, density: float, least: float, power: int) -> np.nd
     sight = grid.sight[:, 0]
     depth = sight / (1.0 + (sight / most) ** 4) ** 0.25
     return np.ascontiguousarray(np.repeat(depth.astype(np.float32), grid.x.shape[1]))
-
-
-def wanted(settings: Settings) -> bool:
-    """Return whether the settings ask for more than the patches of 2006."""
-    water = settings.water
-    more = settings.reflection.rippled, water.relief, water.shallow, water.fresnel, water.foam
-    return any(more) or max(water.glitter, water.ripples, water.horizon_contrast) > 0
 
 
 @contextmanager
@@ -125,22 +121,38 @@ def softened(settings: Settings) -> Iterator[None]:
         gl.glTexEnvf(*unit, 0.0)
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the values that the constructor uses."""
-    water = settings.water
-    looks = water.trilinear, water.lod_bias, water.shallow
-    foam = serpent_wash.built_from(settings) if water.foam else None
-    rippled = ripples.built_from(settings) if rippling(settings) else None
-    return water.level, *looks, foam, water.glitter > 0, rippled
-
-
 def rippling(settings: Settings) -> bool:
     """Return whether there are ripples at each pixel."""
     return settings.water.textured and settings.water.ripples > 0
 
 
-class Sea:
+class Sea(Element[Settings]):
     """The sea; ``mirror`` takes the mirrored scene before each ``draw``."""
+
+    asked_by = (
+        "reflection.rippled",
+        "water.relief",
+        "water.shallow",
+        "water.fresnel",
+        "water.glitter",
+        "water.foam",
+        "water.ripples",
+        "water.horizon_contrast",
+    )
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it over the ground; around a dragon that may be shown there is foam."""
+        return cls(site.settings, site.assets, site.elements[Ground].field, "dragon" in site.only)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the values that the constructor uses."""
+        water = settings.water
+        looks = water.trilinear, water.lod_bias, water.shallow
+        foam = serpent_wash.built_from(settings) if water.foam else None
+        rippled = ripples.built_from(settings) if rippling(settings) else None
+        return water.level, *looks, foam, water.glitter > 0, rippled
 
     def __init__(
         self, settings: Settings, assets: Assets, field: HeightField, dragon: bool = False
@@ -149,7 +161,7 @@ class Sea:
 
         With ``dragon`` there is foam around the dragon, too.
         """
-        self._settings = settings
+        self.settings = settings
         self._size = field.size
         depths = sea_depths(field)
         self._relief = np.clip(depths / SHOAL, 0.0, 1.0).astype(np.float32)
@@ -166,21 +178,14 @@ class Sea:
         self._foam = Foam(settings, assets, field, dragon) if settings.water.foam else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the sea must be rebuilt."""
-        if built_from(settings) != built_from(self._settings):
-            return False
-        self._settings = settings
-        return True
-
     def mark(self) -> None:
         """Send the bare surface without its waves, for the stencil."""
-        level_square(*water_square(self._settings.water), self._settings.water.level)
+        level_square(*water_square(self.settings.water), self.settings.water.level)
 
     def draw(self, frame: Frame) -> None:
         """Draw the surface, mixed with the mirror texture or blended over the framebuffer."""
         mirror = self.mirror.take()
-        water = self._settings.water
+        water = self.settings.water
         grid = self._grid(frame)
         if grid is None:
             return
@@ -197,9 +202,9 @@ class Sea:
         with attrib(groups):
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            floor = cut_level(self._settings)
+            floor = cut_level(self.settings)
             if water.shallow and floor < water.level:
-                draw_floor(floor, self._size, self._settings.sun)
+                draw_floor(floor, self._size, self.settings.sun)
             with self._clearer_fog(grid):
                 if mirror is not None and not self._in_one_pass:
                     looked_up = mirror_places(grid, y, move_x, move_z)
@@ -207,15 +212,15 @@ class Sea:
                     draw_mirror(mirror, vertices, looked_up, hidden, grid.triangles)
                     mirror = None
                 if self._ripples is not None:
-                    self._ripples.draw(self._settings, grid, vertices, tilts, t, mirror)
+                    self._ripples.draw(self.settings, grid, vertices, tilts, t, mirror)
                 else:
                     self._draw_plain(grid, vertices, places, tilts, t, mirror)
             if self._foam is not None:
                 with self._clearer_fog(grid):
-                    self._foam.draw(frame, self._settings, grid, vertices, places)
+                    self._foam.draw(frame, self.settings, grid, vertices, places)
             if self._glitter is not None:
                 surface, slopes = (vertices, places), (slope_x, slope_z)
-                self._glitter.draw(frame, self._settings, grid, surface, slopes)
+                self._glitter.draw(frame, self.settings, grid, surface, slopes)
 
     @property
     def _in_one_pass(self) -> bool:
@@ -233,13 +238,13 @@ class Sea:
         mirror: Taken | None,
     ) -> None:
         """Draw the surface without ripples at each pixel, with the texture of 2006."""
-        water, (slope_x, slope_z, move_x, move_z) = self._settings.water, tilts
+        water, (slope_x, slope_z, move_x, move_z) = self.settings.water, tilts
         normals, colors = surface_normals(slope_x, slope_z), self._colors(grid, slope_x, slope_z)
         layers = [wave_coordinates(places.T / np.float32(water.patch), t, water.repeat)]
         if self._shallows is not None:
             layers.append(self._shallows.coordinates(places))
         depths = None if self._shallows is None else 1
-        lit(self._settings.shading)
+        lit(self.settings.shading)
         gl.glLightModeli(gl.GL_LIGHT_MODEL_LOCAL_VIEWER, gl.GL_TRUE)
 
         with (
@@ -257,7 +262,7 @@ class Sea:
 
     def _grid(self, frame: Frame) -> EyeGrid | None:
         """Return the grid on all water in view; None if there is none."""
-        water = self._settings.water
+        water = self.settings.water
         low, high = water_square(water)
         corner = [max(abs(eye - low), abs(eye - high)) for eye in (frame.pose.x, frame.pose.z)]
         grid = eye_grid(frame, water.level, math.hypot(*corner))
@@ -267,7 +272,7 @@ class Sea:
 
     def _colors(self, grid: EyeGrid, slope_x: np.ndarray, slope_z: np.ndarray) -> np.ndarray:
         """Return the vertices' colours, float32 (n, 4); alpha is the opacity over the mirror."""
-        water = self._settings.water
+        water = self.settings.water
         colors = np.empty((grid.x.size, 4), np.float32)
         colors[:] = water.color
         if water.fresnel:
@@ -283,7 +288,7 @@ class Sea:
     @contextmanager
     def _clearer_fog(self, grid: EyeGrid) -> Iterator[None]:
         """Let the fog leave ``water.horizon_contrast`` of the sea's colour at the horizon."""
-        fog, least = self._settings.fog, self._settings.water.horizon_contrast
+        fog, least = self.settings.fog, self.settings.water.horizon_contrast
         if least <= 0 or not fog.enabled or fog.mode == "linear" or fog.density <= 0:
             yield
             return
@@ -303,7 +308,7 @@ class Sea:
         """Unit 0: the water's texture times the light; then the depths, if any."""
         # GL_TEXTURE_BIT restores every unit's environment, and which unit is active.
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
-            if self._texture is not None and self._settings.water.textured:
+            if self._texture is not None and self.settings.water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
             if self._shallows is not None:

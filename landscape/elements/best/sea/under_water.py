@@ -22,9 +22,10 @@ State used: GL_FOG, GL_CLIP_PLANE0, GL_LIGHTING, a texture unit with GL_COMBINE 
 generated coordinates, GL_BLEND, a framebuffer object, a texture matrix.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import Self
 
 import numpy as np
 
@@ -36,6 +37,8 @@ from landscape.elements.best.sea.mirror_pass import draw_mirror
 from landscape.elements.best.sea.waves import surface_normals, waves
 from landscape.elements.best.terrain.bed_light import PERIOD, REPEAT, SLANT
 from landscape.elements.caustic_film import MixedFilm, shipped
+from landscape.elements.element import Element, Site
+from landscape.elements.ground import Ground
 from landscape.elements.reflection import MIRROR
 from landscape.elements.settings import Settings
 from landscape.elements.water_surface import wave_time
@@ -111,27 +114,32 @@ def refracted(towards: np.ndarray) -> np.ndarray:
     return np.array([x, np.sqrt(max(1.0 - x * x - z * z, 0.0)), z])
 
 
-class UnderWater:
+class UnderWater(Element[Settings]):
     """The sea around an eye below its surface."""
+
+    asked_by = ("water.under",)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return what the constructor uses of the settings."""
+        return settings.water.level
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Build it over the ground."""
+        return cls(site.settings, site.assets, site.elements[Ground].field)
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the film of caustics; the sea is as large as ``field``."""
-        self._settings, self._level = settings, field.water_level
+        self.settings, self._level = settings, field.water_level
         self._film = MixedFilm(shipped(assets))
         self._possible = possible("water.under")
         self._image = MirrorImage()
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, for another level of the water."""
-        if settings.water.level != self._settings.water.level:
-            return False
-        self._settings = settings
-        return True
-
     @contextmanager
     def around(self, frame: Frame) -> Iterator[None]:
         """Let the block draw what is in the water, in its fog, and nothing above the surface."""
-        haze = replace(self._settings.fog, enabled=True, mode="exp2", density=DENSITY, color=WATER)
+        haze = replace(self.settings.fog, enabled=True, mode="exp2", density=DENSITY, color=WATER)
         with attrib(gl.GL_FOG_BIT | gl.GL_ENABLE_BIT):
             gl.glClearColor(*WATER, 1.0)
             gl.glClear(gl.GL_COLOR_BUFFER_BIT)
@@ -159,14 +167,14 @@ class UnderWater:
             gl.glMultMatrixf(MIRROR)
             gl.glTranslatef(0.0, -self._level, 0.0)
             gl.glFrontFace(gl.GL_CW)
-            sun.place(self._settings.sun)
+            sun.place(self.settings.sun)
             self.keep_below()
             yield smaller
         self.keep_below()
 
     def lay_net(self, frame: Frame, send: Callable[[], None]) -> None:
         """Multiply what ``send`` sends once more by the net of light, where it faces upwards."""
-        if not (self._possible and self._settings.water.caustics):
+        if not (self._possible and self.settings.water.caustics):
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_LIGHTING_BIT | gl.GL_TEXTURE_BIT | gl.GL_FOG_BIT
         groups |= gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT
@@ -206,7 +214,7 @@ class UnderWater:
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_AMBIENT, black)
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, black)
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_DIFFUSE, white * np.float32(STRENGTH))
-        place = np.append(refracted(sun.direction(self._settings.sun)), 0.0).astype(np.float32)
+        place = np.append(refracted(sun.direction(self.settings.sun)), 0.0).astype(np.float32)
         gl.glLightfv(gl.GL_LIGHT0, gl.GL_POSITION, place)
         gl.glMaterialfv(gl.GL_FRONT, gl.GL_AMBIENT_AND_DIFFUSE, white)
         gl.glMaterialfv(gl.GL_FRONT, gl.GL_SPECULAR, black)
@@ -214,7 +222,7 @@ class UnderWater:
     def draw(self, frame: Frame) -> None:
         """Draw the surface from below: the mirror image, and the veil over it."""
         x, z, gaps = rings(frame)
-        t = wave_time(frame.kt, self._settings.water)
+        t = wave_time(frame.kt, self.settings.water)
         lift, slope_x, slope_z = waves(x, z, gaps, t)
         normals = surface_normals(TILT * slope_x, TILT * slope_z)
         height = self._level + np.minimum(RELIEF * lift, PROUD)
@@ -253,7 +261,7 @@ class UnderWater:
 
     def _veil(self, sight: np.ndarray, away: np.ndarray, normals: np.ndarray) -> np.ndarray:
         """Return the window and the shading as colours, float32 (n, 4), multiplied by alpha."""
-        sky, through = looked_out(sight, normals, sun.direction(self._settings.sun))
+        sky, through = looked_out(sight, normals, sun.direction(self.settings.sun))
         tint, shaded = shading(sight, normals)
         clear = fog.visibility(away, DENSITY)
         shaded *= clear * (1.0 - through)

@@ -22,7 +22,9 @@ technique of 2006. State used: GL_BLEND, GL_ALPHA_TEST, GL_TEXTURE_2D, depth wri
 GL_COLOR_ARRAY. OpenGL 1.1.
 """
 
+from collections.abc import Hashable
 from dataclasses import replace
+from typing import Self
 
 import numpy as np
 
@@ -50,12 +52,13 @@ from landscape.elements.best.sprites.rules import backs_fit
 from landscape.elements.best.sprites.sprites_in_view import SpritesInView
 from landscape.elements.best.terrain.cloud_shade import cloud_light, clouds_shade
 from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_from, cast_sprites
+from landscape.elements.element import Element, Site
 from landscape.elements.ground import Ground
 from landscape.elements.places_file import RANDOM
 from landscape.elements.planting import DEER, PLANT
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
-from landscape.elements.transparent_elements import CLEAR
+from landscape.elements.transparent_elements import CLEAR, kinds_in
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.frame import Frame
@@ -65,21 +68,55 @@ SHADE = 0.5  # chosen: exponent on the ground's light; a plant rises into more l
 SUNWARD = 0.8  # chosen: times a plant's height, how far towards the sun its light is looked up
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return all settings that a :class:`RefinedSprites` reads when it is built."""
-    shadows = cast_from(settings) if settings.plants.shaded else ()
-    shared = settings.transparent
-    return (*planted_from(settings), shared.trilinear, shared.places, shared.surround, shadows)
-
-
-class RefinedSprites:
+class RefinedSprites(Element[Settings]):
     """All sprites of the island, in one sort."""
+
+    asked_by = (
+        "transparent.sunward",
+        "transparent.contact",
+        "transparent.faces",
+        "transparent.follow_slope",
+        "transparent.upright",
+        "transparent.split",
+        "transparent.fade",
+        "transparent.clear_near",
+        "transparent.rooted",
+        "transparent.trimmed",
+        "transparent.min_pixels",
+        "transparent.trilinear",
+        "trees.grouped",
+        "trees.crown",
+        "trees.variety",
+        "ground.shadows",
+        "deer.follow_slope",
+        "deer.variety",
+        "plants.species",
+        "plants.radius",
+        "plants.shaded",
+        "plants.rosette",
+        "plants.quads",
+        "plants.fade_edge_on",
+        "plants.crossed_within",
+    )
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Plant them on the ground, by the seed."""
+        ground = site.elements[Ground]
+        return cls(site.settings, site.assets, ground, site.seed, kinds_in(site.only))
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return all settings that a :class:`RefinedSprites` reads when it is built."""
+        shadows = cast_from(settings) if settings.plants.shaded else ()
+        shared = settings.transparent
+        return (*planted_from(settings), shared.trilinear, shared.places, shared.surround, shadows)
 
     def __init__(
         self, settings: Settings, assets: Assets, ground: Ground, seed: int, kinds: set[str]
     ) -> None:
         """Place the sprites by ``seed`` and load the atlas; ``kinds`` are those to show."""
-        self._settings, self._built_from = settings, built_from(settings)
+        self.settings = settings
         self._paths = [assets.path(name) for name in individuals.files(settings)]
         self._contents = [content(path) for path in self._paths]
         self._surround = settings.transparent.surround
@@ -132,16 +169,16 @@ class RefinedSprites:
         """Darken the plants by the shadows on the ground beside them."""
         plants = np.flatnonzero(self.sprites.cells >= PLANT)
         # Looked up on its sunny side: elsewhere a plant would be in its own shadow.
-        sunward = direction(self._settings.sun)[[0, 2]]
+        sunward = direction(self.settings.sun)[[0, 2]]
         step = SUNWARD * self.sprites.sizes[plants, 1:] * sunward
         x, z = (self.sprites.positions[plants][:, [0, 2]] + step).T
-        shadow = ground.light(x, z) / self._settings.sun.tint
+        shadow = ground.light(x, z) / self.settings.sun.tint
         self.sprites.tints[plants, :3] *= np.minimum(shadow, 1.0) ** SHADE
-        if clouds_shade(self._settings):
+        if clouds_shade(self.settings):
             # On trees and deer no shadows fall but those of clouds.
             tall = np.flatnonzero(self.sprites.cells < PLANT)
             x, _, z = self.sprites.positions[tall].T
-            self.sprites.tints[tall, :3] *= cloud_light(self._settings, ground.field, x, z) ** SHADE
+            self.sprites.tints[tall, :3] *= cloud_light(self.settings, ground.field, x, z) ** SHADE
         self._view = None
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
@@ -153,7 +190,7 @@ class RefinedSprites:
         if self._view is None:
             arrays = self._outlines, self._outline_st, self._rows
             self._view = SpritesInView(LaidOut(self.sprites, *arrays))
-        return self._view.arrays(frame, self._settings)
+        return self._view.arrays(frame, self.settings)
 
     def _fill_tops(self) -> None:
         """Add the pictures from above to the bound atlas, once, when they are first needed."""
@@ -168,7 +205,7 @@ class RefinedSprites:
 
     def draw(self, frame: Frame, prepared: tuple[np.ndarray, ...] | None = None) -> None:
         """Blend the sprites, far to near, in the order that :meth:`prepare` found."""
-        settings = self._settings
+        settings = self.settings
         vertices, tints, coordinates, indices = prepared or self.prepare(frame)
         if not len(indices):
             return
@@ -189,13 +226,6 @@ class RefinedSprites:
             with client_arrays(vertices, None, tints, [coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the sprites must be rebuilt."""
-        if built_from(settings) != self._built_from:
-            return False
-        self._settings = settings
-        return True
 
     def release(self) -> None:
         """Delete the atlas; may be called twice."""

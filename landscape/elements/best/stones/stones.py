@@ -11,17 +11,20 @@ with GL_COMBINE; GL_CULL_FACE.
 """
 
 import ctypes
+from collections.abc import Hashable
+from typing import Self
 
 import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, front_faces, multiply
 from framelens.gl.texture import Texture
-from landscape.elements.best.stones import FILE
+from landscape.elements.best.stones import FILE, wanted
 from landscape.elements.best.stones.bodies import VERTEX, Bodies, bodies
 from landscape.elements.best.stones.scattering import strewn
 from landscape.elements.best.stones.shapes import KINDS, LOG, first_shape, read_shapes
 from landscape.elements.best.terrain.shadows import ShadowMap, cast_points
+from landscape.elements.element import Element, Site
 from landscape.elements.ground import Ground
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
@@ -48,7 +51,7 @@ DARK = 0.25  # fraction of the sky that a stone hides at its foot
 AHEAD = 1.5  # times the radius: how far towards the sun the light on a stone is looked up
 
 
-def built_from(settings: Settings, seed: int) -> tuple[object, ...]:
+def made_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the stones and their light depend on."""
     ground = settings.ground
     castle = settings.castle
@@ -57,22 +60,37 @@ def built_from(settings: Settings, seed: int) -> tuple[object, ...]:
         *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
         *(ground.subdivide, ground.exact_height, ground.large_texture, ground.texture_size),
-        *(ground.stones, ground.rock_texture, settings.water.level, settings.sun, seed),
+        *(ground.stones, ground.rock_texture, settings.water.level, settings.sun),
         *(castle.x, castle.z, rabbit.x, rabbit.z, rabbit.scale),
     )
 
 
-class Stones:
+class Stones(Element[Settings]):
     """All stones."""
+
+    @classmethod
+    def serves(cls, settings: Settings) -> bool:
+        """Return whether there are stones."""
+        return wanted(settings)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the settings that the stones and their light depend on."""
+        return made_from(settings)
+
+    @classmethod
+    def build(cls, site: Site[Settings]) -> Self:
+        """Scatter them on the ground, by the seed."""
+        return cls(site.settings, site.assets, site.elements[Ground], site.seed)
 
     def __init__(self, settings: Settings, assets: Assets, ground: Ground, seed: int) -> None:
         """Scatter the stones on the ground by ``seed`` and upload them."""
-        self._settings = settings
+        self.settings = settings
         self._ground = ground
         self._seed = seed
         path = assets.path(FILE)
         shapes = read_shapes(path)
-        what = "stones", repr(built_from(settings, seed)), content(path)
+        what = "stones", repr((made_from(settings), seed)), content(path)
         files = settings.ground.height_image, settings.ground.large_texture
 
         def make() -> tuple[np.ndarray, ...]:
@@ -109,7 +127,7 @@ class Stones:
 
         It is looked up beside each stone, towards the sun, where its own shadow is not.
         """
-        found, sun = self.bodies, self._settings.sun
+        found, sun = self.bodies, self.settings.sun
         aside = AHEAD * found.radii[:, None] * direction(sun)[[0, 2]]
         light = ground.light(*(found.middles[:, [0, 2]] + aside).T)
         if self._light is not None and np.array_equal(light, self._light):
@@ -170,13 +188,13 @@ class Stones:
         middles = found.middles
         if frame.mirrored:
             middles = middles.copy()
-            middles[:, 1] = mirrored_height(middles[:, 1], self._settings.water.level)
+            middles[:, 1] = mirrored_height(middles[:, 1], self.settings.water.level)
         away = np.linalg.norm(middles - frame.eye, axis=1)
         pixels = 2.0 * frame.pixels * found.radii / np.maximum(away, 1e-6)
         drawn = pixels > (MIRRORED if frame.mirrored else 1.0) * self._limits
         if frame.mirrored:
-            drawn &= found.tops > self._settings.water.level
-        if self._settings.camera.cull:
+            drawn &= found.tops > self.settings.water.level
+        if self.settings.camera.cull:
             # A frame may turn by REUSE_ANGLE until the next choice.
             drawn &= in_view(frame, middles, 1.2 * found.radii + margin + REUSE_ANGLE * away)
         numbers = np.flatnonzero(drawn)
@@ -210,19 +228,16 @@ class Stones:
             if self._name:
                 gl.glBindBuffer(gl.GL_ARRAY_BUFFER, self._name)
             gl.glInterleavedArrays(gl.GL_T2F_C4UB_V3F, 0, ctypes.c_void_p(whole))
-            with front_faces(self._settings.camera.cull):
+            with front_faces(self.settings.camera.cull):
                 gl.glDrawElements(gl.GL_TRIANGLES, len(corners), gl.GL_UNSIGNED_INT, corners)
             if self._name:
                 gl.glBindBuffer(gl.GL_ARRAY_BUFFER, 0)
             gl.glPopClientAttrib()
 
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if other stones are needed."""
-        if built_from(settings, self._seed) != built_from(self._settings, self._seed):
-            return False
-        self._settings = settings
+    def take(self, settings: Settings) -> None:
+        """Take other settings, by which other stones may be in view."""
+        self.settings = settings
         self._chosen.clear()
-        return True
 
     def release(self) -> None:
         """Delete the texture and the buffer; may be called twice."""

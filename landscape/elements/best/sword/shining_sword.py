@@ -11,6 +11,7 @@ State used: as the sword; texture unit 1 with generated coordinates, GL_NORMALIZ
 matrix.
 """
 
+from collections.abc import Hashable
 from functools import partial
 from typing import NamedTuple
 
@@ -124,12 +125,6 @@ def strip(found: Blade) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
     )
 
 
-def built_from(settings: Settings) -> tuple[object, ...]:
-    """Return the settings that the map of the light around depends on."""
-    sun = settings.sun
-    return surroundings.built_from(settings), sun.azimuth, sun.elevation, sun.diffuse
-
-
 def light_around(settings: Settings, assets: Assets) -> np.ndarray:
     """Return the faces of a cube map of the light that steel mirrors, uint8 (6, n, n, 3)."""
     around = (surroundings.surroundings(settings, assets) / np.float32(255)) ** CONTRAST
@@ -143,10 +138,17 @@ def light_around(settings: Settings, assets: Assets) -> np.ndarray:
 class ShiningSword(Sword[Settings]):
     """The sword with light on its steel."""
 
+    asked_by = ("overlay.sheen",)
+
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
+        """Return the settings that the map of the light around depends on."""
+        sun = settings.sun
+        return surroundings.built_from(settings), sun.azimuth, sun.elevation, sun.diffuse
+
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Find the blade in each picture, and compile its strip."""
         super().__init__(settings, assets)
-        self._built_from = built_from(settings)
         self._masks: list[Texture] = []
         self._strips: list[DisplayList | None] = []
         self._around: CubeMap | None = None
@@ -164,10 +166,6 @@ class ShiningSword(Sword[Settings]):
         vertices, normals, coordinates, triangles = strip(found)
         with client_arrays(vertices, normals, None, [coordinates]):
             gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
-
-    def apply(self, settings: Settings) -> bool:
-        """Apply new settings; return False, changing nothing, if the light around would differ."""
-        return built_from(settings) == self._built_from and super().apply(settings)
 
     def draw(self, frame: Frame) -> None:
         """Draw the sword over the picture, and the light on its steel."""

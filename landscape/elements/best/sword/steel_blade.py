@@ -25,7 +25,7 @@ from landscape.elements.best.sky import surroundings
 from landscape.elements.best.sword.shining_sword import ASPECT, GLARE, TAN, ShiningSword
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, painted
-from landscape.elements.sword import Sword, pictures
+from landscape.elements.sword import pictures
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_image
@@ -287,6 +287,8 @@ def mirrored_light(settings: Settings, assets: Assets) -> np.ndarray:
 class SteelBlade(ShiningSword):
     """The sword with a blade of geometry at rest."""
 
+    asked_by = ("overlay.blade",)
+
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Compile the blade, and cut it out of the picture."""
         super().__init__(settings, assets)
@@ -348,10 +350,3 @@ class SteelBlade(ShiningSword):
         for each in (self._blade, self._covered, *self._owned):
             if each is not None:
                 each.release()
-
-
-def sword_class(settings: Settings) -> type[Sword[Settings]]:
-    """Return the class whose sword these settings describe."""
-    if settings.overlay.blade:
-        return SteelBlade
-    return ShiningSword if settings.overlay.sheen > 0.0 else Sword

@@ -15,10 +15,11 @@ from PIL import Image, ImageFilter
 
 from landscape.elements.best import stones
 from landscape.elements.best.sprites.refined_planting import planted_from
-from landscape.elements.best.terrain import wanted
+from landscape.elements.best.terrain import ASKED_BY
 from landscape.elements.planting import Sprites
 from landscape.elements.settings import Settings, Sun
 from landscape.geometry.height_field import HeightField
+from landscape.settings.declare import differs
 
 LIGHT_LEFT = np.array(Sun().shade, np.float32)  # fraction of the colour in full shadow, at noon
 # All chosen.
@@ -40,7 +41,8 @@ LOWEST = 0.22  # the same for a sun that is lower than that
 def light_is_baked(settings: Settings) -> bool:
     """Return whether the large texture is multiplied by a light map; the plain ground's never."""
     sun = settings.sun
-    relit = (sun.relit or sun.tint != Sun().tint) and wanted(settings)
+    terrain = any(differs(settings, key) for key in ASKED_BY)
+    relit = (sun.relit or sun.tint != Sun().tint) and terrain
     return settings.ground.shadows or relit
 
 

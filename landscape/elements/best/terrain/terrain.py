@@ -13,7 +13,7 @@ State used: as the ground, with four texture units, seven under shallow water; G
 current colour.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -24,7 +24,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import front_faces
 from framelens.gl.texture import Texture, halves_evenly
 from landscape.elements.best.sea.shallows import cut_level, submerged
-from landscape.elements.best.terrain import bed_light, wanted
+from landscape.elements.best.terrain import ASKED_BY, bed_light
 from landscape.elements.best.terrain.bed_light import BedLight, under_net
 from landscape.elements.best.terrain.cloud_shade import cloud_cover, clouds_shade
 from landscape.elements.best.terrain.materials import (
@@ -65,11 +65,6 @@ from landscape.gl.features import possible
 EVERY, UNDER_NET = TURF | SAND | ROCK, 8
 
 
-def ground_class(settings: Settings) -> type[Ground]:
-    """Return the class whose ground these settings describe."""
-    return Terrain if wanted(settings) else Ground
-
-
 def shaded(painted: np.ndarray, light: np.ndarray) -> np.ndarray:
     """Return colours, uint8 (n, n, 3 or 4), times a light map, uint8 (n, n, 3), 255 full light.
 
@@ -82,6 +77,8 @@ def shaded(painted: np.ndarray, light: np.ndarray) -> np.ndarray:
 
 class Terrain(Ground):
     """The ground with the techniques above, each by its own switch."""
+
+    asked_by = ASKED_BY
 
     def _build(self, ground: GroundSettings, assets: Assets) -> None:
         """Make the layers, build the mesh with their coordinates and compile its tiles."""
@@ -113,12 +110,12 @@ class Terrain(Ground):
             colors[:, 3] = rock_share(mesh.normals, self.drawn_colour(x, z)) * 255
             mesh = replace(mesh, colors=colors)
 
-        self._bed = BedLight.made(self._settings, assets)
+        self._bed = BedLight.made(self.settings, assets)
         self._compile(mesh, [texture for texture, _ in layers], ground.tiles)
 
     def _texture(self, image: np.ndarray, repeat: bool = True) -> Texture:
         """Make a texture that is released with the ground, as sharp as ``ground.lod_bias`` says."""
-        ground = self._settings.ground
+        ground = self.settings.ground
         bias = ground.lod_bias if self._mixed else 0.0
         levels: np.ndarray | list[np.ndarray] = image
         if repeat and self._mixed and ground.verdure and halves_evenly(image):
@@ -190,8 +187,8 @@ class Terrain(Ground):
         found = recall(["wet", what, field.heights.tobytes()], lambda: wet_texels(field, side))
         return dampened(painted, *found)
 
-    @staticmethod
-    def built_from(settings: Settings) -> tuple[object, ...]:
+    @classmethod
+    def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that textures and lists were made from."""
         ground, sun = settings.ground, settings.sun
         shaded = (sun.azimuth, sun.elevation) if has_no_colours(ground) else None
@@ -236,7 +233,7 @@ class Terrain(Ground):
             own = {k: each[label] for k, each in enumerate(parts) if label in each}
             lists = compiled(*(partial(draw_mesh, mesh) for mesh in own.values()))
             self._tiles[label] = dict(zip(own, lists, strict=True))
-        if self._settings.reflection.lod_scale > 1:
+        if self.settings.reflection.lod_scale > 1:
             tiles = cut(every_second(mesh), count)
             self._mirrored = compiled(*(partial(draw_mesh, tile.mesh) for tile in tiles))
             self._mirrored_boxes = boxes(tiles, level)
@@ -265,11 +262,11 @@ class Terrain(Ground):
 
     def open_light(self, side: int) -> np.ndarray:
         """Return the light's colour where nothing casts a shadow, (side, side, 3) or (3,)."""
-        sun = self._settings.sun
+        sun = self.settings.sun
         light = relief_light(self.field, sun, side)
-        if not clouds_shade(self._settings):
+        if not clouds_shade(self.settings):
             return light
-        hidden = self._settings.ground.clouds * cloud_cover(self.field, side)[..., None]
+        hidden = self.settings.ground.clouds * cloud_cover(self.field, side)[..., None]
         return light + hidden * (np.array(sun.shade, np.float32) - light)
 
     def shade(self, light: np.ndarray) -> None:
@@ -278,7 +275,7 @@ class Terrain(Ground):
         ``n`` is the large texture's side. :meth:`colour` still returns the unshaded colour.
         """
         # By day, shadows change only the brightness of what grows in them.
-        self._light = light if self._settings.sun.relit else light[..., [1, 1, 1]]
+        self._light = light if self.settings.sun.relit else light[..., [1, 1, 1]]
         self._splat.replace(shaded(self._painted, light))
 
     def drawn_colour(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -303,8 +300,8 @@ class Terrain(Ground):
             above = middles[:, 1] - halves[:, 1] <= level
         else:
             middles, halves = self._boxes
-            whole = not self._settings.ground.clip or submerged(frame, self._settings)
-            lowest = -np.inf if whole else cut_level(self._settings)
+            whole = not self.settings.ground.clip or submerged(frame, self.settings)
+            lowest = -np.inf if whole else cut_level(self.settings)
             above = middles[:, 1] + halves[:, 1] >= lowest
         kept = np.flatnonzero(boxes_in_view(frame, middles, halves) & above)
         away = np.maximum(np.abs(middles[kept] - frame.eye) - halves[kept], 0.0)
@@ -320,7 +317,7 @@ class Terrain(Ground):
         kept = self.tiles_in_view(frame).tolist()
         # Seen from above, land faces away only behind a crest, which hides it. The mirrored eye is
         # below the land, whose underside must hide what stands on it.
-        with front_faces(self._settings.camera.cull and not frame.mirrored):
+        with front_faces(self.settings.camera.cull and not frame.mirrored):
             if frame.mirrored and self._mirrored:
                 # Without details, which nobody sees in an image that ripples.
                 call_lists([*self._looks[:1], *(self._mirrored[k] for k in kept)])
@@ -331,7 +328,7 @@ class Terrain(Ground):
     def send(self, frame: Frame) -> None:
         """Send the tiles in view, whatever the state; nothing where there are none."""
         kept = self.tiles_in_view(frame).tolist()
-        with front_faces(self._settings.camera.cull):
+        with front_faces(self.settings.camera.cull):
             for lists in self._tiles.values():
                 call_lists([lists[k] for k in kept if k in lists])
 
