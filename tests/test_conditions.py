@@ -12,6 +12,7 @@ from folded import each
 import landscape
 from landscape.elements.settings import Settings
 from landscape.island.island import ELEMENTS
+from landscape.island.slots import SLOTS
 from landscape.scene.scene import scene
 from landscape.settings import declare
 from landscape.settings.notices import WALK, conditions, ignored, in_words, notices, terms
@@ -22,12 +23,12 @@ KEYS = declare.fields(Settings)
 
 def why(key: str, preset: str = "best", shown: tuple[str, ...] = ELEMENTS, **changes: Any) -> str:
     given = {name.replace("__", "."): value for name, value in changes.items()}
-    return ignored(ISLAND.values(preset, given), key, shown, ELEMENTS)
+    return ignored(ISLAND.values(preset, given), key, shown, ELEMENTS, SLOTS)
 
 
 @each("key", KEYS)
 def test_conditions_name_existing_settings_elements_or_the_walk(key: str) -> None:
-    for condition in conditions(Settings, key):
+    for condition in conditions(Settings, key, SLOTS):
         assert in_words(Settings, condition)
         for term in terms(condition):
             assert term.known(Settings(), ELEMENTS), condition

@@ -20,6 +20,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.island.fixes import FIXES
 from landscape.island.island import ELEMENTS, Island
+from landscape.island.slots import SLOTS
 from landscape.scene.scene import Moment, placed
 from landscape.settings.declare import fields, get, with_settings
 from landscape.settings.notices import WALK, conditions, ignored
@@ -296,7 +297,7 @@ def prepared(islands: dict[Any, Island], key: str, shot: Shot) -> tuple[Island, 
     beside = {k: v for k, v in shot.settings.items() if k != key or shot.value is not None}
     base = small({**PRESETS[shot.preset], **FEW, **beside})
     shown = tuple(name for name in ELEMENTS if name in shot.only)
-    reason = ignored(base, key, shown, ELEMENTS)
+    reason = ignored(base, key, shown, ELEMENTS, SLOTS)
     assert not reason, f"{key}: {reason} in the view that should show it"
     value = shot.value
     if value is None:
@@ -360,7 +361,7 @@ def test_a_setting_that_saves_work_changes_the_calls_and_not_the_picture(
 def vain(preset: str) -> list[tuple[str, str]]:
     """Return the keys that have no effect beside the others of a preset, and the preset."""
     settings = small({**PRESETS[preset], **FEW})
-    found = [key for key in KEYS if ignored(settings, key, (*ELEMENTS, WALK), ELEMENTS)]
+    found = [key for key in KEYS if ignored(settings, key, (*ELEMENTS, WALK), ELEMENTS, SLOTS)]
     assert len(found) > 5
     return [(key, preset) for key in found]
 

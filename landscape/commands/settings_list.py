@@ -8,7 +8,15 @@ from framelens.base.errors import InputError
 from landscape.flyover import settings as flyover
 from landscape.scene.scene import SCENES, Scene, check_options, scene
 from landscape.settings import declare
-from landscape.settings.notices import WALK, conditions, ignored, in_words, terms, value_text
+from landscape.settings.notices import (
+    WALK,
+    conditions,
+    ignored,
+    in_words,
+    terms,
+    unreplaced,
+    value_text,
+)
 
 WIDTH = 80  # columns of the narrowest terminal
 Row = dict[str, Any]
@@ -17,7 +25,7 @@ Row = dict[str, Any]
 class Flyover:
     """The software fly-over: it has settings as a scene has, but there are no views of it."""
 
-    name, elements = "flyover", ()
+    name, elements, slots = "flyover", (), ()
     settings, presets = flyover.Settings(), flyover.PRESETS
 
     def values(self, name: str | None, changes: Mapping[str, Any] | None = None) -> Any:
@@ -83,12 +91,12 @@ def _rows_of(
     presets = {name: kind.values(name) for name in kind.presets}
     for row in declare.table(values):
         key = row["key"]
-        needs = [in_words(type(values), each) for each in conditions(type(values), key)]
+        needs = [in_words(type(values), each) for each in conditions(type(values), key, kind.slots)]
         yield {
             **row,
             "presets": {name: declare.get(each, key) for name, each in presets.items()},
             "needs": [words for words in needs if words],
-            "ignored": ignored(values, key, (*kind.elements, WALK), kind.elements),
+            "ignored": ignored(values, key, (*kind.elements, WALK), kind.elements, kind.slots),
             "scene": kind.name,
             "scenes": {},
         }
@@ -130,7 +138,9 @@ def _lines(row: Row, kind: type) -> Iterator[str]:
     lines = [row["does"], f"{_accepted(row)}; {presets}{differs}"]
 
     # What is shown is plain from the group's name.
+    slots = _named(row["scene"]).slots
     needs = declare.fields(kind)[row["key"]].metadata["needs"]
+    needs += unreplaced(kind, row["key"], slots)
     told = [in_words(kind, each) for each in needs if any(t.is_setting for t in terms(each))]
     if any(told):
         lines.append("needs " + "; ".join(filter(None, told)))

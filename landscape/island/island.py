@@ -46,7 +46,7 @@ from landscape.geometry.height_field import HeightField, height_field
 from landscape.geometry.obstacle_grid import Obstacles
 from landscape.geometry.pockets import passable
 from landscape.island.fixes import FIXES
-from landscape.island.slots import CASTING, OTHERS, PLANTED
+from landscape.island.slots import CASTING, OTHERS, PLANTED, SLOTS
 from landscape.island.views import ALL, MAIN, VIEWS
 from landscape.scene.scene import SEED, Moment, Scene, begin_frame, draw_all_parts
 
@@ -372,4 +372,5 @@ SCENE = Scene(
     fixes=FIXES,
     overlay=("sword", "map"),
     title="the island",
+    slots=SLOTS,
 )

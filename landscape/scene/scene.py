@@ -16,6 +16,7 @@ import numpy as np
 from framelens.base.errors import InputError, short
 from framelens.gl.seam import frame_begins, gl
 from landscape.elements import fog, sun
+from landscape.elements.element import Slot
 from landscape.elements.settings import Camera, Fog, Sun
 from landscape.files.assets import Assets
 from landscape.frame import FULL, Detail, Frame, Pose, scaled
@@ -191,7 +192,7 @@ class Scene:
     has for itself. ``carried`` returns what a drag with the right button changes: of settings, and
     pixels right and down. ``title`` is for people, in English. ``blocks`` says that a walker digs
     and builds in it (geometry/digging.py). ``baked`` names settings that an open scene takes only
-    roughly, which is enough for a walk.
+    roughly, which is enough for a walk. ``slots`` are the places that several classes may fill.
     """
 
     name: str
@@ -212,6 +213,7 @@ class Scene:
     title: str = ""
     blocks: bool = False
     baked: tuple[str, ...] = ()
+    slots: tuple[Slot, ...] = ()
 
     def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
         """Return the settings of a preset (None: the default) with changes; later ones override.
@@ -261,7 +263,7 @@ class Scene:
         """Return a line for each given setting that changes nothing in a view, by key."""
         values = self.values(preset or self.preset_of(view), view.settings, given)
         shown = (*self.shown(view, only), *([conditions.WALK] if walking else []))
-        return conditions.notices(values, given, shown, self.elements)
+        return conditions.notices(values, given, shown, self.elements, self.slots)
 
     def only(self, names: Iterable[str] | None) -> tuple[str, ...]:
         """Return the elements in ``names`` in the scene's order, all for None.

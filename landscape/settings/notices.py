@@ -4,7 +4,8 @@ A condition is declared beside the setting as plain text: alternatives joined by
 key of a setting that is on or not 0, such as ``fog.enabled``; a comparison, ``fog.mode=linear``,
 ``ground.units!=none`` or ``plants.species>1``; or a word without a dot: an element that is shown,
 or ``walk``, as opposed to a still. ``not`` before a key or a word negates it. A setting has an
-effect if all of its conditions hold.
+effect if all of its conditions hold. A class of elements that ignores a setting adds conditions of
+its own: that nothing asks for that class.
 
 No setting is named here: each scene brings its own. Scenes may share a group, such as the sun: what
 the conditions say of settings and elements that a scene does not have is left out for it.
@@ -14,11 +15,26 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, ClassVar, Protocol
 
 from landscape.settings.declare import current_names, fields, get
 
 WALK = "walk"  # the word for a walk: settings of the walker do nothing in a still
+
+
+class Drawer(Protocol):
+    """A class of elements: the keys that ask for it, and those that it does not read."""
+
+    asked_by: ClassVar[tuple[str, ...]]
+    ignores: ClassVar[tuple[str, ...]]
+
+
+class Slot(Protocol):
+    """The place of an element in a scene, and the classes that may draw it."""
+
+    @property
+    def kinds(self) -> tuple[type[Drawer], ...]:
+        """The classes, the finest first."""
 
 
 @dataclass(frozen=True)
@@ -66,15 +82,33 @@ def terms(condition: str) -> tuple[Term, ...]:
     return tuple(found)
 
 
-def conditions(kind: type, key: str) -> tuple[str, ...]:
-    """Return the conditions of a key of a settings class.
+def conditions(kind: type, key: str, slots: Iterable[Slot] = ()) -> tuple[str, ...]:
+    """Return the conditions of a key of a settings class, in a scene with these slots.
 
     Those of its group, the class attribute ``NEEDS``, hold for each setting of the group, except
     for the one that they are about.
     """
     group = type(kind.__dataclass_fields__[key.split(".")[0]].default)  # type: ignore[attr-defined]
     every = (*getattr(group, "NEEDS", ()), *fields(kind)[key].metadata["needs"])
+    every += unreplaced(kind, key, slots)
     return tuple(each for each in every if all(term.name != key for term in terms(each)))
+
+
+def unreplaced(kind: type, key: str, slots: Iterable[Slot]) -> tuple[str, ...]:
+    """Return the conditions under which nothing draws that ignores a key.
+
+    A class that ignores it is built if one of the keys that ask for the class differs from its
+    default.
+    """
+    classes = [each for slot in slots for each in slot.kinds if key in each.ignores]
+    asking = dict.fromkeys(name for each in classes for name in each.asked_by)
+    return tuple(_at_default(kind, name) for name in asking if name in fields(kind))
+
+
+def _at_default(kind: type, key: str) -> str:
+    """Return the condition that a key has its default."""
+    default = fields(kind)[key].default
+    return f"{key}={value_text(default)}" if default else f"not {key}"
 
 
 def in_words(kind: type, condition: str) -> str:
@@ -97,14 +131,20 @@ def in_words(kind: type, condition: str) -> str:
     return " or ".join(found)
 
 
-def ignored(settings: Any, key: str, shown: Collection[str], elements: Collection[str]) -> str:
+def ignored(
+    settings: Any,
+    key: str,
+    shown: Collection[str],
+    elements: Collection[str],
+    slots: Iterable[Slot] = (),
+) -> str:
     """Return why a setting has no effect beside the others; "" if it has one.
 
     ``shown`` names the elements that are shown, of the scene's ``elements``, and contains WALK in a
-    walk.
+    walk. ``slots`` are the scene's.
     """
     failed: list[Term] = []
-    for condition in conditions(type(settings), key):
+    for condition in conditions(type(settings), key, slots):
         known = [term for term in terms(condition) if term.known(settings, elements)]
         if known and not any(term.holds(settings, shown) for term in known):
             failed += known
@@ -114,12 +154,18 @@ def ignored(settings: Any, key: str, shown: Collection[str], elements: Collectio
 
 
 def notices(
-    settings: Any, given: Iterable[str], shown: Collection[str], elements: Collection[str]
+    settings: Any,
+    given: Iterable[str],
+    shown: Collection[str],
+    elements: Collection[str],
+    slots: Iterable[Slot] = (),
 ) -> dict[str, str]:
     """Return a line for each given key that has no effect beside the others, by key."""
     lines = {}
     for key in current_names(settings, dict.fromkeys(given))[0]:
-        if key in fields(type(settings)) and (why := ignored(settings, key, shown, elements)):
+        if key in fields(type(settings)) and (
+            why := ignored(settings, key, shown, elements, slots)
+        ):
             lines[key] = f"setting {key}: {why}"
     return lines
 

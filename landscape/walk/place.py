@@ -172,5 +172,5 @@ def list_picture(
 ) -> tuple[Hashable, Callable[[], np.ndarray]]:
     """Return what the picture of a place's list of settings depends on, and how to make it."""
     state = place.settings, place.chooser.defaults, row, done, language
-    shows = *state, frozenset(place.scene.shown), place.kind.elements
+    shows = *state, frozenset(place.scene.shown), place.kind.elements, place.kind.slots
     return shows, lambda: list_image(page(*shows), size, dpi)

@@ -14,7 +14,7 @@ from framelens.base.texts import Phrases, reworded, translator
 from framelens.inspector.inspector_values import step_of
 from landscape.settings import declare
 from landscape.settings.declare import Field, Value
-from landscape.settings.notices import WALK, ignored
+from landscape.settings.notices import WALK, Slot, ignored
 from landscape.walk import words
 
 DIGITS = 6  # significant digits shown
@@ -199,6 +199,7 @@ def page(
     language: str,
     shown: frozenset[str],
     elements: tuple[str, ...],
+    slots: tuple[Slot, ...] = (),
 ) -> Page:
     """Return the list with the row ``chosen``; ``note`` says what the last change did.
 
@@ -214,7 +215,7 @@ def page(
             lines.append(Line(heading(group, language)))
         value, default = row.value(settings), row.value(defaults)
         usual = written(default, language)
-        idle = ignored(settings, row.key, {*shown, WALK}, elements)
+        idle = ignored(settings, row.key, {*shown, WALK}, elements, slots)
         here, differs = row.name == chosen, usual if value != default else ""
         lines.append(Line(row.label, written(value, language), differs, here, bool(idle)))
         if here:

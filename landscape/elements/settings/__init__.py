@@ -21,11 +21,6 @@ PER_SECOND = "units per second"
 REPEATS = "repeats over the map"
 # What reads the colours of the ground's large texture, apart from the ground itself.
 COLOURS_READ = "grass.tinted or trees.grouped or plants.species>1"
-# The ground of 2006, which Terrain does not replace.
-PLAIN_GROUND = (
-    *("ground", "not ground.materials", "not ground.low_stretch", "not ground.shadows"),
-    "ground.tiles=1",
-)
 # What depends on where the sun is.
 SUNLIT = (
     "water or castle or rabbit or dragon or ground.lit or ground.shadows"
@@ -289,13 +284,13 @@ class Ground:
         "section 2.2.2",
         "both textures in one pass by two texture units, or a second pass blended over the first",
         choices=("one", "two"),
-        needs=(*PLAIN_GROUND, "ground.units=both"),
+        needs=("ground", "ground.units=both"),
     )
     lit: bool = setting(
         False,
         "section 2.2.2",
         "light the ground by its normals, too; its colours have their light painted in",
-        needs=PLAIN_GROUND,
+        needs=("ground",),
     )
     mid_repeat: float = setting(
         0.0,
@@ -506,13 +501,7 @@ class Water:
         2,
         400,
         unit="vertices",
-        # Any of these has a sea without patches.
-        needs=(
-            "water",
-            *("not reflection.rippled", "not water.relief", "not water.shallow"),
-            *("not water.fresnel", "not water.glitter", "not water.foam"),
-            *("not water.ripples", "not water.horizon_contrast"),
-        ),
+        needs=("water",),
     )
     repeat: float = setting(
         4.0,
@@ -924,11 +913,6 @@ class Grass:
         "R18, section 5.3",
         "submit blades in one call, or one by one as in 2006",
         choices=("cells", "loop"),
-        # Any of these has a meadow, which is always drawn in one call.
-        needs=(
-            *("not grass.tinted", "not grass.fade", "not grass.facing", "not grass.tufts"),
-            *("not grass.variety", "not grass.sward", "not grass.gusts", "grass.arch=1"),
-        ),
     )
     tufts: int = setting(
         0, "chosen", "blades per tuft, leaning apart; 0 is off", 0, 100, unit="blades"
@@ -995,13 +979,13 @@ class Castle:
         3,
         64,
         unit="sides",
-        needs=("castle", "not castle.ornate"),
+        needs=("castle",),
     )
     battlements: bool = setting(
         False,
         "chosen",
         "merlons on the walls, and parapets around the towers' tops",
-        needs=("castle", "not castle.ornate"),
+        needs=("castle",),
     )
     flame_faces: bool = setting(
         False, "R2, section 6.1", "flames turn about y to face the viewer", needs=("castle",)
@@ -1010,7 +994,7 @@ class Castle:
         False,
         "R11, section 11.2.4",
         "bricks, door and light in one pass with three texture units",
-        needs=("castle", "not castle.ornate"),
+        needs=("castle",),
     )
     ornate: bool = setting(
         False, "chosen", "a keep, roofs, bands, loopholes and pennants", needs=("castle",)

@@ -55,6 +55,7 @@ class OrnateCastle(CastleInOnePass):
     """The castle with all its ornaments."""
 
     asked_by = ("castle.ornate",)
+    ignores = ("castle.sides", "castle.battlements", "castle.multitexture")
 
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Compute the light map, or take it from the cache, and compile the lists."""

@@ -145,6 +145,7 @@ class Meadow(Element[Settings]):
         "grass.gusts",
         "grass.arch",
     )
+    ignores = ("grass.method",)  # all blades are always drawn in one call
 
     @classmethod
     def build(cls, site: Site[Settings]) -> Self:

@@ -139,6 +139,7 @@ class Sea(Element[Settings]):
         "water.ripples",
         "water.horizon_contrast",
     )
+    ignores = ("water.points",)
 
     @classmethod
     def build(cls, site: Site[Settings]) -> Self:

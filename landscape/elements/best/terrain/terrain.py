@@ -79,6 +79,7 @@ class Terrain(Ground):
     """The ground with the techniques above, each by its own switch."""
 
     asked_by = ASKED_BY
+    ignores = ("ground.passes", "ground.lit")
 
     def _build(self, ground: GroundSettings, assets: Assets) -> None:
         """Make the layers, build the mesh with their coordinates and compile its tiles."""
