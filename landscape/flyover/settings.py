@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from framelens.base.errors import InputError
-from landscape.elements.settings import PER_SECOND, UNITS
+from landscape.elements.settings.units import PER_SECOND, UNITS
 from landscape.settings.declare import Value, setting
 
 DOCUMENT = (

@@ -6,7 +6,8 @@ A safeguard is a setting that is on: turned off, it shows the artefact that it p
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.elements.settings import UNITS, Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings.units import UNITS
 from landscape.hall import plan
 from landscape.hall.exhibits.settings import Exhibits
 from landscape.settings.declare import Value, setting

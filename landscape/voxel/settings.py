@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.elements.settings import UNITS, Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings.units import UNITS
 from landscape.settings.declare import Value, setting, word
 
 REGIONS = "Peurière, Terrain/Region"

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.elements.settings import UNITS
+from landscape.elements.settings.units import UNITS
 from landscape.settings.declare import setting
 
 COURSE = "SIGGRAPH 1997 course"
