@@ -27,7 +27,7 @@ INTRODUCTION = (
     "",
     "- *Preset*: a complete set of values for the program's settings. `2006` has the report's"
     " numbers and its flaws; `best` turns on nearly all fixes and has many more trees and"
-    f" blades of grass ([settings]({CODE}/elements/settings/__init__.py) has both). The pictures"
+    f" blades of grass ([settings]({CODE}/elements/settings/presets.py) has both). The pictures"
     " on this page use `2006`. Whatever else a picture needs, such as a wider lens or thinner fog,"
     f" is set by its view ([views.py]({CODE}/island/views.py)) or in its command.",
     f"- *R1* to *R19*: the improvements that the report suggests, in our numbering"
