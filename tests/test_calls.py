@@ -10,7 +10,7 @@ import numpy as np
 import OpenGL
 import pytest
 from seam import Replaced
-from stage import SMALL, Stage, close, small
+from stage import SMALL, Stage, close, kind_in, small
 
 from framelens.gl.context import open_context
 from framelens.gl.notes import plain
@@ -23,12 +23,12 @@ from landscape.commands.target import ViewFrame
 from landscape.elements.best.sea.sea import reflected
 from landscape.elements.ground import clipped
 from landscape.elements.reflection import inside_water, mirrored
-from landscape.elements.sky_box import SkyBox
 from landscape.elements.water_surface import WaterSurface
 from landscape.frame import Pose
 from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.texture_target import TextureTarget
 from landscape.island.island import ELEMENTS
+from landscape.island.slots import SKY
 from landscape.island.views import VIEWS
 from landscape.offscreen import Offscreen
 
@@ -384,7 +384,7 @@ def test_recording_changes_no_pixel(stage: Stage, plain: Any) -> None:
     settings, pose = small(), Pose(20.0, 1.0, 20.0, 30.0, 20.0)
     pictures = []
     for record in (False, True):
-        sky = SkyBox(settings, plain)
+        sky = kind_in(SKY, settings)(settings, plain)
         with stage.frame(settings, pose, fog=True) as frame:
             if record:
                 with recording():

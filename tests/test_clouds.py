@@ -4,14 +4,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from stage import Stage, close, live_names, small, write_plain
+from stage import Stage, close, kind_in, live_names, small, write_plain
 
 from landscape.elements.best.sky.clouds import ALPHA, DRIFT, RINGS, cloud_disc, cloud_opacity
-from landscape.elements.sky_box import SkyBox
 from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.island.island import SCENE
+from landscape.island.slots import SKY
 
 TOP = np.array((0, 200, 200))
 
@@ -19,7 +19,7 @@ TOP = np.array((0, 200, 200))
 def drawn(stage: Stage, assets: Assets, pose: Pose, kt: float = 0.0, **sky: Any) -> np.ndarray:
     settings = small({f"sky.{key}": value for key, value in sky.items()})
     before = live_names()
-    box = SkyBox(settings, assets)
+    box = kind_in(SKY, settings)(settings, assets)
     with stage.frame(settings, pose, kt) as frame:
         box.draw(frame)
         picture = stage.read()

@@ -25,13 +25,12 @@ from landscape.elements.ground import Ground
 from landscape.elements.map import Map
 from landscape.elements.reflection import mirrored
 from landscape.elements.settings import PRESETS, Settings, preset
-from landscape.elements.sky_box import SkyBox
 from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.island.island import Island
-from landscape.island.slots import CASTLE, DRAGON, GRASS, GROUND, PLANTED, RABBIT, SWORD
+from landscape.island.slots import CASTLE, DRAGON, GRASS, GROUND, PLANTED, RABBIT, SKY, SWORD
 from landscape.scene.scene import Moment, begin_frame
 from landscape.settings.declare import with_settings
 
@@ -52,7 +51,7 @@ ELEMENTS: dict[str, Build] = {
     ),
     "water": lambda settings, assets, ground: WaterSurface(settings, assets),
     "sea": lambda settings, assets, ground: Sea(settings, assets, ground.field),
-    "sky": lambda settings, assets, ground: SkyBox(settings, assets),
+    "sky": lambda settings, assets, ground: kind_in(SKY, settings)(settings, assets),
     "sprites": lambda settings, assets, ground: kind_in(PLANTED, settings)(
         settings, assets, ground, 1, {"trees", "deer", "plants"}
     ),

@@ -7,16 +7,17 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from stage import Stage, close, pixel, project, quad, small, taken, write_plain
+from stage import Stage, close, kind_in, pixel, project, quad, small, taken, write_plain
 
 from framelens.gl.seam import gl
 from framelens.gl.texture import mip_levels
 from landscape.elements.best.sky.seamless import seamless_levels
 from landscape.elements.fog import visibility
-from landscape.elements.sky_box import FACES, SkyBox, face_coordinates, face_corners, set_files
+from landscape.elements.sky_box import FACES, face_coordinates, face_corners, set_files
 from landscape.elements.unfolded_sky import folded, unfolded
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.island.slots import SKY
 
 LEVEL = 0.6
 D = 8.0
@@ -51,7 +52,7 @@ def test_one_unfolded_picture_gives_the_sky_of_five_files(stage: Stage, tmp_path
     plain.append(np.full((128, 128, 3), colours[4], np.uint8))
     Image.fromarray(unfolded(plain, 128, 40)).convert("RGB").save(tmp_path / "sheet.png")
     changes = {**BOX, "sky.unfolded": "sheet.png"}
-    sky = SkyBox(small(changes), Assets(tmp_path))
+    sky = kind_in(SKY, small(changes))(small(changes), Assets(tmp_path))
     assert not taken(sky, small(BOX))
     for name, yaw in YAWS.items():
         with stage.frame(small(changes), Pose(20.0, 2.0, 20.0, yaw, 0.0)) as frame:
@@ -100,7 +101,7 @@ def drawn(
     stage: Stage, assets: Assets, pose: Pose, fog: bool = False, kt: float = 0.0, **changes: Any
 ) -> np.ndarray:
     settings = small({**BOX, **{f"sky.{k}": v for k, v in changes.items()}})
-    sky = SkyBox(settings, assets)
+    sky = kind_in(SKY, settings)(settings, assets)
     with stage.frame(settings, pose, kt, fog=fog) as frame:
         sky.draw(frame)
         picture = stage.read()
@@ -185,7 +186,7 @@ def test_a_sky_in_the_background_hides_nothing_beyond_its_walls(
     stage: Stage, plain: Assets, background: bool
 ) -> None:
     settings = small({**BOX, "sky.background": background})
-    sky = SkyBox(settings, plain)
+    sky = kind_in(SKY, settings)(settings, plain)
     pose = Pose(20.0, 1.0, 20.0, 0.0, 10.0)
     near, far = 2.0, 30.0
     with stage.frame(settings, pose) as frame:
@@ -267,7 +268,7 @@ def test_r8_climbing_does_not_bring_the_clouds_nearer(stage: Stage) -> None:
 @pytest.mark.parametrize("background", [False, True])
 def test_r9_no_pixel_of_sky_hides_what_is_drawn(stage: Stage, background: bool) -> None:
     values = small({f"sky.{key}": True for key in INFINITE} | {"sky.background": background})
-    box = SkyBox(values, Assets())
+    box = kind_in(SKY, values)(values, Assets())
     pose = Pose(20.0, 1.0, 20.0, 0.0, 0.0)
     with stage.frame(values, pose) as frame:
         # A red hill 12 units off, beyond the box's wall at 8.
@@ -291,7 +292,7 @@ def test_r10_corner_and_middle_of_a_wall_are_equally_hazed(
 ) -> None:
     same = {f"sky_{face}.png": (200, 120, 40) for face in FACES}
     values = small({"sky.unfogged": unfogged})
-    box = SkyBox(values, Assets(write_plain(plain_folder, same)))
+    box = kind_in(SKY, values)(values, Assets(write_plain(plain_folder, same)))
     seen = []
     for yaw in (0.0, 45.0):
         with stage.frame(values, Pose(20.0, 1.2, 20.0, yaw, 8.0), fog=True) as frame:
@@ -307,7 +308,7 @@ def test_a_box_draws_applied_switches_as_if_built_from_them(
     stage: Stage, plain: Assets, key: str
 ) -> None:
     pose = Pose(27.0, 2.0, 12.0, 20.0, 10.0)
-    box = SkyBox(small(BOX), plain)
+    box = kind_in(SKY, small(BOX))(small(BOX), plain)
     changed = small({**BOX, f"sky.{key}": True})
     assert taken(box, changed)
     with stage.frame(changed, pose, fog=True) as frame:
@@ -325,7 +326,7 @@ def test_a_box_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
     stage: Stage, plain: Assets, change: dict
 ) -> None:
     pose = Pose(20.0, 2.0, 20.0, 20.0, 10.0)
-    box = SkyBox(small(BOX), plain)
+    box = kind_in(SKY, small(BOX))(small(BOX), plain)
     new = {f"sky.{key}": value for key, value in change.items()}
     assert not taken(box, small({**BOX, **new, "sky.follow_y": True}))
     with stage.frame(small(BOX), pose) as frame:

@@ -191,13 +191,13 @@ def test_not_one_sample_of_what_is_not_sent_lies_in_front_of_what_is(
     rng = np.random.default_rng(seed)
     given = {"shadow.enabled": False, "voxel.distance": 1000.0, "fog.enabled": False}
     sent: list[Choice] = []
-    draw = Land.draw_regions
+    draw = Land.draw
 
     def noted(land: Land, choice: Choice, fog_by_height: bool = False) -> None:
         sent.append(choice)
         draw(land, choice, fog_by_height)
 
-    monkeypatch.setattr(Land, "draw_regions", noted)
+    monkeypatch.setattr(Land, "draw", noted)
     regions = views = 0
     with Offscreen((400, 300), samples=0, place="voxel", settings=given, only=("land",)) as view:
         view.look((20.0, 9.0, 20.0))

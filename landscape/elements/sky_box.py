@@ -8,7 +8,7 @@ What is wrong with it, and the switches that show it: the ceiling comes nearer a
 them (``sky.background``, R9, gives the box the greatest depth by glDepthRange(1, 1), so that it
 shows only where nothing else is); corners are farther away and so more fogged than the middles of
 the walls (``sky.unfogged``, R10, draws it without fog, as the haze is painted on it). Together the
-three put the sky at infinity. It never changes: ``sky.moving`` (R1) adds best/sky/clouds.py.
+three put the sky at infinity. It never changes: ``sky.moving`` (R1) asks for best/sky/fine_sky.py.
 State used: GL_TEXTURE_2D; fog, depth range, depth writes and GL_CLIP_PLANE0 by the switches.
 """
 
@@ -20,8 +20,6 @@ import numpy as np
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, matrix
 from framelens.gl.texture import Texture
-from landscape.elements.best.sky.clouds import Clouds
-from landscape.elements.best.sky.seamless import seamless_levels
 from landscape.elements.element import Element
 from landscape.elements.settings import Settings
 from landscape.elements.unfolded_sky import folded
@@ -108,15 +106,14 @@ class SkyBox(Element[Settings]):
     def built_from(cls, settings: Settings) -> Hashable:
         """Return the values that the constructor uses."""
         sky = settings.sky
-        pictures = sky.set, sky.refined, sky.unfolded, sky.half_width, sky.height
-        return *pictures, sky.moving, settings.sun if sky.moving else None
+        return sky.set, sky.unfolded, sky.half_width, sky.height
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the five faces and compile the display list."""
         self.settings = settings
         sky = settings.sky
         images = face_images(settings, assets)
-        levels = [seamless_levels(each) if sky.refined else [each] for each in images]
+        levels = [self._levels(each) for each in images]
         # A sky is so smooth that the change from one mip level to the next does not show.
         self._textures = [Texture(each, repeat=False, trilinear=False) for each in levels]
         corners = face_corners(sky.half_width, sky.height)
@@ -136,7 +133,6 @@ class SkyBox(Element[Settings]):
             gl.glDisable(gl.GL_TEXTURE_2D)
 
         self._list = DisplayList(send)
-        self._clouds = Clouds(settings, assets) if sky.moving else None
 
     def draw(self, frame: Frame) -> None:
         """Draw the box around the viewer, mirrored or not as the frame says."""
@@ -163,13 +159,17 @@ class SkyBox(Element[Settings]):
 
             gl.glTranslatef(x, foot - sky.sunk, z)
             self._list.call()
-            if self._clouds is not None:
-                self._clouds.draw(frame)
+            self._draw_clouds(frame)
+
+    def _levels(self, image: np.ndarray) -> list[np.ndarray]:
+        """Return the mip levels of a face that are given; OpenGL makes the others."""
+        return [image]
+
+    def _draw_clouds(self, frame: Frame) -> None:
+        """Draw what moves in front of the walls: in 2006 nothing does."""
 
     def release(self) -> None:
         """Delete the list and the textures; may be called twice."""
         self._list.release()
-        if self._clouds is not None:
-            self._clouds.release()
         for texture in self._textures:
             texture.release()

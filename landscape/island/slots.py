@@ -14,6 +14,7 @@ from landscape.elements.best.sea.occlusion_query import SeaQuery
 from landscape.elements.best.sea.ring import HorizonRing
 from landscape.elements.best.sea.sea import Sea
 from landscape.elements.best.sea.under_water import UnderWater
+from landscape.elements.best.sky.fine_sky import FineSky
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.stones.stones import Stones
 from landscape.elements.best.sword.shining_sword import ShiningSword
@@ -34,6 +35,7 @@ from landscape.elements.water_surface import WaterSurface
 GROUND = Slot("ground", (Terrain, Ground), always=True, base=True)  # everything stands on it
 CASTLE = Slot("castle", (WeatheredCastle, OrnateCastle, CastleInOnePass, Castle))
 RABBIT = Slot("rabbit", (FineRabbit, Rabbit))
+SKY = Slot("sky", (FineSky, SkyBox))
 DRAGON = Slot("dragon", (FineDragon, Dragon))
 PLANTED = Slot("sprites", (RefinedSprites, TransparentElements), shown_by=SPRITES)
 GRASS = Slot("grass", (Meadow, Grass))
@@ -47,7 +49,7 @@ CASTING = (
     Slot("ring", (HorizonRing,), shown_by=("water",)),
     Slot("query", (SeaQuery,), shown_by=("water",)),
     Slot("under", (UnderWater,), shown_by=("water",)),
-    Slot("sky", (SkyBox,)),
+    SKY,
     CASTLE,
     RABBIT,
     DRAGON,

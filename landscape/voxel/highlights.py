@@ -87,7 +87,9 @@ class Highlights(Element[Settings]):
         colour = np.array(settings.sun.diffuse)
         return CubeMap(sun_faces(towards, colour, settings.voxel.highlights), mipmaps=False)
 
-    def draw_over(self, frame: Frame, land: Land, choice: Choice, shadow: ShadowMap | None) -> None:
+    def draw(  # type: ignore[override]  # over what of the land the scene has drawn
+        self, frame: Frame, land: Land, choice: Choice, shadow: ShadowMap | None
+    ) -> None:
         """Add the highlights of the nearby regions of a choice, which have just been drawn."""
         choice = choice.only(choice.shares < len(land.low))
         lit = NORMALS @ sun.direction(self.settings.sun) > 0.0

@@ -246,7 +246,9 @@ class Land(Element[Settings]):
         ways = facing(self.low[regions], self.high[regions], away)
         return Choice(regions, regions + FAR * len(self.low), ways)
 
-    def draw_regions(self, choice: Choice, fog_by_height: bool = False) -> None:
+    def draw(  # type: ignore[override]  # what of it the scene has chosen
+        self, choice: Choice, fog_by_height: bool = False
+    ) -> None:
         """Draw the regions of a choice, textured, in the current state of fog and shadows."""
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
         with attrib(groups), matrix(), self.buffer.bound(fog_by_height):

@@ -201,7 +201,7 @@ class Voxel(Played, Ground):
             with drawing("water"):
                 depth = self.depth(shore)
                 fades_into = haze.color if self._under else ()
-                water.draw_surface(frame, clip, shore.points, depth, fades_into)
+                water.draw(frame, clip, shore.points, depth, fades_into)
 
         begin_pass("overlay")
         self.draw_aimed_at(frame)
@@ -283,10 +283,10 @@ class Voxel(Played, Ground):
                 choice = self.land.without_hidden(choice, eye)
             for shadow, some in self._by_shadow(choice):
                 with shadow.applied() if shadow else nullcontext():
-                    self.land.draw_regions(some, fog_by_height=below)
+                    self.land.draw(some, fog_by_height=below)
                 highlights = self.elements.get(Highlights)
                 if highlights and not (frame.mirrored or below):
-                    highlights.draw_over(frame, self.land, some, shadow)
+                    highlights.draw(frame, self.land, some, shadow)
 
     def _detail(self, frame: Frame) -> tuple[float, float]:
         """Return how far land is drawn with the meshes for near, and then for far, in units.
@@ -401,7 +401,7 @@ class Voxel(Played, Ground):
                     level,
                     block,
                     self.settings.fog,
-                    lambda high: self._draw_overhead(frame, clip @ high),
+                    lambda high: self._drawhead(frame, clip @ high),
                 )
                 return
             images.draw_refraction(
@@ -431,7 +431,7 @@ class Voxel(Played, Ground):
             self._draw_land(frame, clip, UNDER, below=darkens)
             self.draw_aimed_at(frame, beyond_water=True)
 
-    def _draw_overhead(self, frame: Frame, clip: np.ndarray) -> None:
+    def _drawhead(self, frame: Frame, clip: np.ndarray) -> None:
         """Draw what is above the water, for an eye under it, unless that is off: then only sky."""
         if self.settings.water.refraction:
             self._draw_land(frame, clip, ABOVE)

@@ -99,7 +99,7 @@ class Water(Element[Settings]):
         """Return the points of the water in view (n, 3), None if there are none."""
         return water_grid(frame, self.level, self.settings.camera.far * 0.9)
 
-    def draw_surface(
+    def draw(  # type: ignore[override]  # where the scene has found it in view
         self,
         frame: Frame,
         clip: np.ndarray,

@@ -3,7 +3,7 @@
 Technique: a disc above the eye, in a display list, blended over the box. Its vertex alpha falls to
 zero at the rim; otherwise the disc would visibly end above the horizon. glTranslatef on the
 texture matrix lets it drift with kt: no vertex is sent again.
-State used: GL_TEXTURE_2D, GL_BLEND, no depth writes, texture matrix. SkyBox restores the state.
+State used: GL_TEXTURE_2D, GL_BLEND, no depth writes, texture matrix. FineSky restores the state.
 """
 
 import numpy as np
@@ -69,7 +69,7 @@ def cloud_opacity(vertices: np.ndarray, sun: Sun) -> np.ndarray:
 
 
 class Clouds:
-    """The cloud layer; SkyBox draws it around the eye, and restores the state."""
+    """The cloud layer; FineSky draws it around the eye, and restores the state."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Load the picture and compile the disc in the light of the settings."""
