@@ -369,7 +369,7 @@ SCENE = Scene(
     title="the great hall",
     # Statue and pool mirror the hall as it was drawn when it was opened.
     baked=(
-        *("room", "sun", "fog", "sky", "statue", "torches", "shadow.flame", "tone.texture"),
-        *("tone.texture_contrast", "tone.texture_brightness"),
+        *("room", "sun", "fog", "sky", "statue", "torches", "shadow.flame", "shadow.sunlit"),
+        *("tone.texture", "tone.texture_contrast", "tone.texture_brightness"),
     ),
 )
