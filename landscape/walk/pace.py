@@ -79,7 +79,6 @@ CARRIED = (
     _carried(0.43, 0.66, 0.40, 2),
     _carried(0.35, 0.60, 0.36, 2),
     _carried(0.35, 0.60, 0.36, 3),
-    _carried(0.35, 0.60, 0.36, 4),
 )
 OFTENER = 1.5  # chosen: frames are so many times as frequent where pictures serve several
 SHOWING = 0.12  # of a full frame's time, to show a picture that serves several frames

@@ -51,22 +51,25 @@ def place(pose: Pose) -> tuple[float, float, float]:
     return pose.x, pose.y, pose.z
 
 
-def ahead(earlier: Moment, now: Moment, frames: float) -> Moment:
-    """Return the moment ``frames`` frames after ``now``, if all goes on as since the one before."""
+def ahead(earlier: Moment, now: Moment, times: float) -> Moment:
+    """Return a moment after ``now``, if all goes on as since an ``earlier`` one.
+
+    It is ``times`` times as long after ``now`` as that was before.
+    """
     then, pose = earlier.pose, now.pose
     if apart(then, pose):
         return now
-    x, y, z = (b + frames * (b - a) for a, b in zip(place(then), place(pose), strict=True))
+    x, y, z = (b + times * (b - a) for a, b in zip(place(then), place(pose), strict=True))
     moved = replace(
         pose,
         x=x,
         y=y,
         z=z,
-        yaw=pose.yaw + frames * turned(then.yaw, pose.yaw),
-        pitch=min(max(pose.pitch + frames * (pose.pitch - then.pitch), -90.0), 90.0),
-        roll=pose.roll + frames * turned(then.roll, pose.roll),
+        yaw=pose.yaw + times * turned(then.yaw, pose.yaw),
+        pitch=min(max(pose.pitch + times * (pose.pitch - then.pitch), -90.0), 90.0),
+        roll=pose.roll + times * turned(then.roll, pose.roll),
     )
-    return replace(now, pose=moved, kt=now.kt + frames * (now.kt - earlier.kt))
+    return replace(now, pose=moved, kt=now.kt + times * (now.kt - earlier.kt))
 
 
 def axes(pose: Pose) -> np.ndarray:

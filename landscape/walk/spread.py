@@ -93,6 +93,8 @@ class Spread:
         self._growing: Growing | None = None
         self._picture: Picture | None = None
         self._last: Moment | None = None  # what the last frame showed
+        self._began: Moment | None = None  # what the frame showed in which the picture was begun
+        self._frames = 0  # since then
         self._of: tuple[object, ...] = ()  # of what the pictures are
         self._costs: list[float] = []  # seconds that each part is expected to take
         self._small: list[TextureTarget | None] = [None, None]  # for comparing pictures
@@ -107,12 +109,17 @@ class Spread:
         if of != self._of or last is None or apart(last.pose, moment.pose):
             self.forget()
             self._of = of
-            last = moment
         frames = moment.detail.spread
         if self._growing is None:
             # It is shown as long as it takes to draw the next one.
-            whole = self._picture is None
-            self._begin(moment if whole else ahead(last, moment, 1.5 * (frames - 1)), opened)
+            then = self._began
+            if self._picture is None or then is None or not self._frames:
+                self._begin(moment, opened)
+            else:
+                # By the mean of several frames: the last one may have been short or late.
+                self._begin(ahead(then, moment, 1.5 * (frames - 1) / self._frames), opened)
+            self._began, self._frames = moment, 0
+        self._frames += 1
         self._grow()
         self._last = moment
         gl.glViewport(0, 0, *moment.size)
@@ -228,7 +235,7 @@ class Spread:
         """Give up the pictures: the next frame begins with a whole one."""
         if self._growing is not None:
             self._growing.close()
-        self._growing = self._picture = self._last = None
+        self._growing = self._picture = self._last = self._began = None
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
