@@ -31,6 +31,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from commands import Shell
 from copies import copies
 from gl_state import changes, snapshot
 from hall_pictures import HallPictures
@@ -136,6 +137,21 @@ def stage(the_stage: Stage) -> Iterator[Stage]:
     the_stage.enter()
     changed = changes(before, snapshot())
     assert not changed, f"the test left changed state: {changed}"
+
+
+@pytest.fixture(scope="session")
+def the_shell() -> Iterator[Shell]:
+    """Runs command lines in one process for the whole test run."""
+    process = Shell()
+    yield process
+    process.close()
+
+
+@pytest.fixture(scope="module")
+def shell(the_shell: Shell) -> Shell:
+    """The shared shell, in the folder in which the tests were started."""
+    the_shell.cwd = Path.cwd()
+    return the_shell
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ error that begins with "landscape: " and names the file or the key. No files are
 
 import json
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -22,17 +22,10 @@ SMALL = ("render", "--preset", "2006", "--size", "40x30", "--samples", "0")
 POSE = ("--pose", "20,3,24,0,-20")
 
 
-@pytest.fixture(scope="module")
-def process() -> Iterator[Shell]:
-    shell = Shell()
-    yield shell
-    shell.close()
-
-
 @pytest.fixture
-def shell(process: Shell, tmp_path: Path) -> Shell:
-    process.cwd = tmp_path
-    return process
+def shell(the_shell: Shell, tmp_path: Path) -> Shell:
+    the_shell.cwd = tmp_path
+    return the_shell
 
 
 def succeeded(done: Done, path: Path) -> np.ndarray:
@@ -62,11 +55,11 @@ def save(values: np.ndarray, path: Path, mode: str = "") -> None:
 
 
 @pytest.fixture(scope="module")
-def plain_heights(process: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+def plain_heights(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
     """The image rendered from the 8-bit grey height image."""
-    process.cwd = tmp_path_factory.mktemp("plain")
-    save(GREY, process.cwd / "grey.png")
-    picture = succeeded(draw_heights(process, "grey.png"), process.cwd / "out.png")
+    the_shell.cwd = tmp_path_factory.mktemp("plain")
+    save(GREY, the_shell.cwd / "grey.png")
+    picture = succeeded(draw_heights(the_shell, "grey.png"), the_shell.cwd / "out.png")
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 50, "the pose shows no ground"
     return picture
 
@@ -247,10 +240,10 @@ def draw_mesh(shell: Shell, data: bytes) -> Done:
 
 
 @pytest.fixture(scope="module")
-def plain_mesh(process: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
+def plain_mesh(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) -> np.ndarray:
     """The image of the box as ASCII triangles."""
-    process.cwd = tmp_path_factory.mktemp("plain")
-    picture = succeeded(draw_mesh(process, ply()), process.cwd / "out.png")
+    the_shell.cwd = tmp_path_factory.mktemp("plain")
+    picture = succeeded(draw_mesh(the_shell, ply()), the_shell.cwd / "out.png")
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 20, "the pose shows no mesh"
     return picture
 

@@ -11,7 +11,6 @@ import subprocess
 import sys
 import time
 import tomllib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -47,17 +46,10 @@ SMALL = (
 MODULE = [sys.executable, "-m", "landscape"]
 
 
-@pytest.fixture(scope="module")
-def process() -> Iterator[Shell]:
-    shell = Shell()
-    yield shell
-    shell.close()
-
-
 @pytest.fixture
-def shell(process: Shell, tmp_path: Path) -> Shell:
-    process.cwd = tmp_path
-    return process
+def shell(the_shell: Shell, tmp_path: Path) -> Shell:
+    the_shell.cwd = tmp_path
+    return the_shell
 
 
 def commands(

@@ -79,13 +79,6 @@ def shell(the_shell: Shell, tmp_path: Any) -> Shell:
     return the_shell
 
 
-@pytest.fixture(scope="module")
-def the_shell() -> Any:
-    shell = Shell()
-    yield shell
-    shell.close()
-
-
 def test_render_says_in_one_line_what_changes_nothing(shell: Shell) -> None:
     stencil = ("--set", "reflection.stencil=true", "--set", "reflection.rippled=true")
     words = ("render", "fig11a", *SMALL, *shell.small, *stencil)

@@ -2,7 +2,6 @@
 
 import argparse
 import shlex
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -166,21 +165,14 @@ def test_a_wrong_name_in_a_command_is_found() -> None:
             check_names(parse(words), words[0])
 
 
-@pytest.fixture(scope="module")
-def process() -> Iterator[Shell]:
-    shell = Shell()
-    yield shell
-    shell.close()
-
-
 @pytest.mark.sweep(50)
 @pytest.mark.parametrize("command", distinct_commands())
-def test_a_command_runs(command: str, process: Shell, tmp_path: Path) -> None:
+def test_a_command_runs(command: str, the_shell: Shell, tmp_path: Path) -> None:
     words = shlex.split(command)
     options: Any = parse(words)
-    process.cwd = tmp_path
+    the_shell.cwd = tmp_path
     if words[:2] == ["exercise", "check"]:
-        assert process("exercise", "start", Path(words[2]).stem, "--out", words[2]).status == 0
+        assert the_shell("exercise", "start", Path(words[2]).stem, "--out", words[2]).status == 0
     target = getattr(options, "target", "")
     if target.endswith(".py"):
         words = [str(ROOT / word) if word == target else word for word in words]
@@ -191,7 +183,7 @@ def test_a_command_runs(command: str, process: Shell, tmp_path: Path) -> None:
     run = quick(words, island, tmp_path)
     if not run:
         pytest.skip("it needs a screen")
-    done = process(*run)
+    done = the_shell(*run)
     unsolved = words[:2] == ["exercise", "check"]
     assert done.status == (1 if unsolved else 0), done.err
     assert "Traceback" not in done.err

@@ -52,13 +52,6 @@ def boards(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(SCENES, "faulty", "faulty_scene")
 
 
-@pytest.fixture(scope="module")
-def shell():
-    opened = Shell()
-    yield opened
-    opened.close()
-
-
 def drawing(size: tuple[int, int] = SIZE) -> Drawing:
     return Drawing(size, samples=0)
 

@@ -5,7 +5,6 @@ import os
 import struct
 import threading
 import tracemalloc
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -22,11 +21,9 @@ from landscape.settings.declare import read_toml
 
 
 @pytest.fixture(scope="module")
-def shell(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
-    process = Shell()
-    process.cwd = tmp_path_factory.mktemp("input")
-    yield process
-    process.close()
+def shell(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) -> Shell:
+    the_shell.cwd = tmp_path_factory.mktemp("input")
+    return the_shell
 
 
 @pytest.mark.posix_only("it has no device such as /dev/zero")

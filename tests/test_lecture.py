@@ -1,7 +1,6 @@
 """Lectures: their files, what they say of their steps, and how a window is divided."""
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -40,13 +39,6 @@ with LectureWalk(stage, planned(stage, "fig5a", "en")) as walk:
     walk.inspect()
     print("F12" in foot(walk.inspection.model, "en", walk.inspection.letters)[-1])
 """
-
-
-@pytest.fixture(scope="module")
-def shell() -> Iterator[Shell]:
-    shell = Shell()
-    yield shell
-    shell.close()
 
 
 def _written(tmp_path: Path, text: str) -> Path:

@@ -45,13 +45,6 @@ all_lessons = each("name", NAMES)
 
 
 @pytest.fixture(scope="module")
-def shell() -> Iterator[Shell]:
-    shell = Shell()
-    yield shell
-    shell.close()
-
-
-@pytest.fixture(scope="module")
 def watcher() -> Iterator[Watcher]:
     watcher = Watcher(LESSONS, prepared=True)
     yield watcher

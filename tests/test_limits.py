@@ -1,7 +1,5 @@
 """Settings at their limits, and eyes far away, draw a picture without a warning."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 from commands import Shell
@@ -12,12 +10,10 @@ from landscape.elements.settings import Sun
 
 
 @pytest.fixture(scope="module")
-def shell(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
+def shell(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) -> Shell:
     """A shell whose processes show every warning on standard error."""
-    process = Shell()
-    process.cwd = tmp_path_factory.mktemp("limits")
-    yield process
-    process.close()
+    the_shell.cwd = tmp_path_factory.mktemp("limits")
+    return the_shell
 
 
 @pytest.mark.parametrize(

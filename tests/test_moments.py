@@ -230,13 +230,6 @@ def test_reports_name_their_moments(assets: Path) -> None:
                     report(tape, diff=wrong)
 
 
-@pytest.fixture(scope="module")
-def shell() -> Iterator[Shell]:
-    opened = Shell()
-    yield opened
-    opened.close()
-
-
 FEW = ("--preset", "2006", "--size", "96x72", "--only", "ground,sky,fog,map")
 
 
