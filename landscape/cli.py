@@ -8,12 +8,12 @@ import os
 import sys
 from collections.abc import Sequence
 
-from framelens.base.texts import LANGUAGES, Phrases, choose, translator
+from framelens.base.errors import Message
+from framelens.base.texts import Phrases, choose, translator
 from framelens.base.texts import marked as _
 from framelens.commands.parser import Parser, add_commands, parted
 from framelens.commands.reporting import run_command
 from landscape import __version__
-from landscape.course.language import told_in
 
 COMMANDS = {
     "walk": "walk a scene in a window",
@@ -74,18 +74,17 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def parse(argv: Sequence[str] | None = None) -> argparse.Namespace:
     """Parse the command line; views may come before, between and after the options."""
-    words = list(sys.argv[1:] if argv is None else argv)
-    language = _language(words)
-    with told_in(language):
-        words, arguments = parted(words, PROGRAMS)
-        parser = build_parser(words[:1], language)
-        options, rest = parser.parse_known_args(words)
-        options.arguments = arguments
-        if rest:
-            # argparse itself takes only the views before the first option.
-            if "views" not in options or any(word.startswith("-") for word in rest):
-                parser.error(f"unrecognized arguments: {' '.join(rest)}")
-            options.views = [*options.views, *rest]
+    words, arguments = parted(list(sys.argv[1:] if argv is None else argv), PROGRAMS)
+    language = choose(os.environ) if words and words[0] in COURSE else "en"
+    parser = build_parser(words[:1], language)
+    options, rest = parser.parse_known_args(words)
+    options.arguments = arguments
+    if rest:
+        # argparse itself takes only the views before the first option.
+        if "views" not in options or any(word.startswith("-") for word in rest):
+            unknown = Message("unrecognized arguments: {words}", words=" ".join(rest))
+            parser.error(unknown.said(choose(os.environ)))
+        options.views = [*options.views, *rest]
     return options
 
 
@@ -105,15 +104,3 @@ def build_parser(
     translate = translator(language, "course")
     add_commands(parser, COMMANDS, "landscape.commands", asked, translate)
     return parser
-
-
-def _language(words: Sequence[str]) -> str:
-    """Return the language in which a command line, in words, is answered; "en" but in the course.
-
-    It is read here before the command line is parsed, as the parser's errors are in it.
-    """
-    if not words or words[0] not in COURSE:
-        return "en"
-    asked = [after for word, after in zip(words, words[1:], strict=False) if word == "--lang"]
-    asked += [word.removeprefix("--lang=") for word in words if word.startswith("--lang=")]
-    return asked[-1] if asked and asked[-1] in LANGUAGES else choose(os.environ)

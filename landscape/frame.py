@@ -53,8 +53,8 @@ def checked_pose(value: Any, given: str = "") -> Pose:
             x, height, *others = found
             return Pose(x, None if grounded else height, *others)
     raise InputError(
-        f"{given or f'pose {short(value)}'}: expected the numbers x, y, z, yaw and pitch; "
-        "y may be `ground`"
+        "{value}: expected the numbers x, y, z, yaw and pitch; y may be `ground`",
+        value=given or f"pose {short(value)}",
     )
 
 

@@ -138,7 +138,11 @@ class Offscreen:
             self.scene.release()
         self.scene, self._built_for = None, None
         if self._world is not None and not kind.blocks:
-            raise InputError(f"world {self._world}: expected views of voxel, found {view.name}")
+            raise InputError(
+                "world {world}: expected views of voxel, found {name}",
+                world=self._world,
+                name=view.name,
+            )
         self.scene = kind.open(values, self._assets, self._seed, shown)
         if self._world is not None and isinstance(self.scene, Diggable):
             self.scene.restore(self._changed, f"world {self._world}")
@@ -255,7 +259,9 @@ def found(view: Any, place: Scene | None = None) -> tuple[Scene, View]:
         return find_view(view)
     if isinstance(view, (Pose, tuple, list, np.ndarray)):
         return place or scene(), View("pose", "", checked_pose(view))
-    raise InputError(f"view {short(view)}: expected a view's name or a pose (x, y, z, yaw, pitch)")
+    raise InputError(
+        "view {view}: expected a view's name or a pose (x, y, z, yaw, pitch)", view=short(view)
+    )
 
 
 def render(

@@ -1,10 +1,14 @@
 """Help and errors of `landscape lesson`, `exercise` and `lecture` in the user's language."""
 
+import pickle
 import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from commands import Done, Shell, environment, landscape, refused
+
+from framelens.base.errors import InputError, Message
 
 COMMANDS = ("lesson", "exercise", "exercise list", "exercise start", "exercise check", "lecture")
 
@@ -57,9 +61,33 @@ def test_errors_are_in_the_language_asked_for(
     assert said not in done.err
 
 
-def test_other_commands_speak_english() -> None:
-    done = landscape("walk", "--no-such", env=environment(LANGUAGE="fr"))
-    refused(done, "unrecognized arguments: --no-such")
-    assert landscape("views", "--help", env=environment(LANGUAGE="fr")).out.startswith(
-        "usage: landscape views"
+def test_other_commands_have_english_help_and_refuse_in_the_users_language() -> None:
+    french = environment(LANGUAGE="fr")
+    help_ = landscape("views", "--help", env=french)
+    assert help_.out.startswith("usage: landscape views") and "options:" in help_.out
+    refused(landscape("walk", "--no-such", env=french), "arguments inconnus: --no-such")
+    refused(landscape("render", "nowhere", env=french), "cette vue n\u2019existe pas")
+    refused(landscape("film", env=french), "il manque les arguments suivants: ", "--out")
+
+
+def test_what_the_user_wrote_is_never_translated(tmp_path: Path) -> None:
+    words = "expected one, cannot be read {name}"
+    for command in (("render", words), ("lecture", tmp_path / words), ("walk", f"--{words}")):
+        english = landscape(*command, env=environment(LANGUAGE="en"))
+        french = landscape(*command, env=environment(LANGUAGE="fr"))
+        refused(english, words)
+        refused(french, words)
+        assert english.err != french.err
+
+
+def test_a_message_in_a_message_is_in_the_same_language() -> None:
+    error = InputError(
+        "setting {key}: expected {expected}, not {value}",
+        key="fog.density",
+        expected=Message("a number from {low} to {high}", low=0, high=10),
+        value="'{low}'",
     )
+    assert str(error) == "setting fog.density: expected a number from 0 to 10, not '{low}'"
+    assert error.said("fr") == "setting fog.density: il faut un nombre de 0 à 10, non '{low}'"
+    sent = pickle.loads(pickle.dumps(error))
+    assert (str(sent), sent.said("fr")) == (str(error), error.said("fr"))

@@ -32,14 +32,22 @@ def size(value: Any, given: str = "") -> tuple[int, int]:
     """Return a width and a height in pixels, each from 1 to MAX_SIDE, MAX_PIXELS in all."""
     sides = plain(value)
     if not isinstance(sides, (list, tuple)) or len(sides) != 2 or None in map(_whole, sides):
-        raise InputError(f"size {short(value)}: expected a width and a height in pixels")
+        raise InputError(
+            "size {value}: expected a width and a height in pixels", value=short(value)
+        )
     width, height = map(operator.index, map(plain, sides))
     if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE):
         given = given or f"size {short(width)}x{short(height)}"
-        raise InputError(f"{given}: expected from 1x1 to {MAX_SIDE}x{MAX_SIDE}")
+        raise InputError(
+            "{value}: expected from 1x1 to {max_side}x{max_side}", value=given, max_side=MAX_SIDE
+        )
     if width * height > MAX_PIXELS:
         given = given or f"size {width}x{height}"
-        raise InputError(f"{given}: expected at most {MAX_PIXELS / 1e6:.0f} megapixels")
+        raise InputError(
+            "{value}: expected at most {max_pixels:.0f} megapixels",
+            value=given,
+            max_pixels=MAX_PIXELS / 1000000.0,
+        )
     return width, height
 
 
@@ -47,7 +55,9 @@ def whole(value: Any, name: str, given: str = "") -> int:
     """Return a whole number from 0 to 10**18 - 1."""
     number = _whole(value)
     if number is None or not 0 <= number < 10**18:
-        raise InputError(f"{given or f'{name} {short(value)}'}: expected a whole number from 0")
+        raise InputError(
+            "{value}: expected a whole number from 0", value=given or f"{name} {short(value)}"
+        )
     return number
 
 
@@ -55,7 +65,7 @@ def number(value: Any, name: str, given: str = "") -> float:
     """Return a finite number below FARTHEST, positive or negative."""
     found = finite(value)
     if found is None:
-        raise InputError(f"{given or f'{name} {short(value)}'}: expected a number")
+        raise InputError("{value}: expected a number", value=given or f"{name} {short(value)}")
     return found
 
 
@@ -64,7 +74,11 @@ def choice(value: Any, name: str, choices: tuple[Any, ...], given: str = "") -> 
     found = value if isinstance(choices[0], str) else _whole(value)
     if not isinstance(found, type(choices[0])) or found not in choices:
         listed = ", ".join(map(str, choices))
-        raise InputError(f"{given or f'{name} {short(value)}'}: expected one of {listed}")
+        raise InputError(
+            "{value}: expected one of {listed}",
+            value=given or f"{name} {short(value)}",
+            listed=listed,
+        )
     return found
 
 
@@ -72,7 +86,7 @@ def flag(value: Any, name: str) -> bool:
     """Return True or False, which must be given as such."""
     found = plain(value)
     if not isinstance(found, bool):
-        raise InputError(f"{name} {short(value)}: expected True or False")
+        raise InputError("{name} {value}: expected True or False", name=name, value=short(value))
     return found
 
 
@@ -82,14 +96,16 @@ def names(value: Any, name: str) -> tuple[str, ...]:
         return tuple(each.strip() for each in value.split(","))
     found = tuple(value) if isinstance(value, Iterable) else (value,)
     if not all(isinstance(each, str) for each in found):
-        raise InputError(f"{name} {short(value)}: expected names, such as ground,water")
+        raise InputError(
+            "{name} {value}: expected names, such as ground,water", name=name, value=short(value)
+        )
     return found
 
 
 def folder(value: Any, name: str) -> Path:
     """Return a path given as text or as a path; whether it is a folder is not checked."""
     if not isinstance(value, (str, os.PathLike)) or not isinstance(os.fspath(value), str):
-        raise InputError(f"{name} {short(value)}: expected a folder")
+        raise InputError("{name} {value}: expected a folder", name=name, value=short(value))
     return Path(value)
 
 

@@ -8,13 +8,81 @@ from typing import Any
 
 from framelens.base.packages import speaker
 
+Phrases = tuple[str, ...]
+SYSTEM: Phrases = (
+    "No such file or directory",
+    "Permission denied",
+    "Is a directory",
+    "Not a directory",
+    "No space left on device",
+    "Read-only file system",
+    "File name too long",
+)
+"""What operating systems say of files, as catalogues know it."""
+DOMAINS = ("errors", "landscape_errors")  # of the catalogues: a package's templates
 
-class InputError(ValueError):
+
+class Message:
+    """A text for the user: a template in English, as of str.format, and the values in its {}.
+
+    A value may be a Message, too, and is then said in the same language. All other values, what
+    the user wrote among them, stay as they are. ``scripts/catalogues`` finds a template where it
+    stands in a call: Message("..."), InputError("...") or NoOpenGLError("...").
+    """
+
+    def __init__(self, template: str, /, **values: Any) -> None:
+        self.template = template
+        self.values = values
+
+    def __str__(self) -> str:
+        return self.said("en")
+
+    def said(self, language: str) -> str:
+        """Return the text in a language; in English where that has no translation of it."""
+        return _said(self.template, self.values, language)
+
+
+class _Error(Exception):
+    """An error whose text is that of a Message; without values, any text as it is."""
+
+    def __init__(self, template: str = "", /, **values: Any) -> None:
+        super().__init__(template)  # by which it is pickled, with its attributes
+        self.values = values
+
+    def __str__(self) -> str:
+        return self.said("en")
+
+    def said(self, language: str) -> str:
+        """Return what is wrong in a language; in English where that has no translation of it."""
+        return _said(str(self.args[0]) if self.args else "", self.values, language)
+
+
+class InputError(_Error, ValueError):
     """Bad input: one line that names the file or the key and what was expected (exit status 2)."""
 
 
-class NoOpenGLError(RuntimeError):
+class NoOpenGLError(_Error, RuntimeError):
     """No usable OpenGL: one line that names the package to install (exit status 3)."""
+
+
+def _said(template: str, values: dict[str, Any], language: str) -> str:
+    if language != "en":
+        # Imported here: English needs no catalogue, and the reader of catalogues raises errors.
+        from framelens.base.texts import translator
+
+        template = translator(language, *DOMAINS)(template)
+    if not values:
+        return template
+    words = {
+        name: value.said(language) if isinstance(value, Message | _Error) else value
+        for name, value in values.items()
+    }
+    return template.format(**words)
+
+
+def reason(error: OSError) -> Message:
+    """Return what the operating system says of an error, which some languages translate."""
+    return Message(error.strerror or str(error))
 
 
 class UnexpectedError(RuntimeError):

@@ -200,17 +200,28 @@ def _await(child: _Child, path: str) -> int:
         signal.signal(signal.SIGINT, before)
 
     if late:
-        raise InputError(f"{path}: was ended within one call that nothing can interrupt")
+        raise InputError("{path}: was ended within one call that nothing can interrupt", path=path)
     if SHARED.unpack(_shared[:])[-1]:
         return status
     crash = limits.crash(status)
     if crash == limits.KILLED:
-        raise InputError(f"{path}: was killed, as the system does where memory runs out")
+        raise InputError("{path}: was killed, as the system does where memory runs out", path=path)
     if not crash:
-        raise InputError(f"{path}: ended its own process (status {status})")
+        raise InputError(
+            "{path}: ended its own process (status {status})", path=path, status=status
+        )
     if crash == limits.GAVE_UP:
-        raise InputError(f"{path}: was ended ({crash}) by a library of C that could not go on")
-    raise InputError(f"{path}: crashed ({crash}), as OpenGL does {SHORT_ARRAY}")
+        raise InputError(
+            "{path}: was ended ({crash}) by a library of C that could not go on",
+            path=path,
+            crash=crash,
+        )
+    raise InputError(
+        "{path}: crashed ({crash}), as OpenGL does {short_array}",
+        path=path,
+        crash=crash,
+        short_array=SHORT_ARRAY,
+    )
 
 
 def _end_soon() -> None:

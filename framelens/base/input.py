@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import closing
 from pathlib import Path
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, reason
 from framelens.system import read_parts
 
 WAIT_S = 15.0  # chosen: what comes through a pipe must be there by then
@@ -25,9 +25,13 @@ def read_bounded(path: Path, most: int, name: str = "") -> bytes:
         with closing(read_parts(path, PART, time.monotonic() + WAIT_S)) as parts:
             return b"".join(_bounded(parts, most, name))
     except TimeoutError:
-        raise InputError(f"{name}: expected all of it within {WAIT_S:g} seconds") from None
+        raise InputError(
+            "{name}: expected all of it within {wait_s:g} seconds", name=name, wait_s=WAIT_S
+        ) from None
     except OSError as error:
-        raise InputError(f"{name}: cannot be read ({error.strerror})") from None
+        raise InputError(
+            "{name}: cannot be read ({reason})", name=name, reason=reason(error)
+        ) from None
 
 
 def _bounded(parts: Iterable[bytes], most: int, name: str) -> Iterator[bytes]:
@@ -36,7 +40,9 @@ def _bounded(parts: Iterable[bytes], most: int, name: str) -> Iterator[bytes]:
     for part in parts:
         count += len(part)
         if count > most:
-            raise InputError(f"{name}: too large, expected at most {amount(most)}")
+            raise InputError(
+                "{name}: too large, expected at most {amount}", name=name, amount=amount(most)
+            )
         yield part
 
 
@@ -50,9 +56,11 @@ def check_plain(path: Path, most: int) -> None:
     if stat.S_ISDIR(found.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     if not stat.S_ISREG(found.st_mode):
-        raise InputError(f"{path}: expected a file, found a pipe or a device")
+        raise InputError("{path}: expected a file, found a pipe or a device", path=path)
     if found.st_size > most:
-        raise InputError(f"{path}: too large, expected at most {amount(most)}")
+        raise InputError(
+            "{path}: too large, expected at most {amount}", path=path, amount=amount(most)
+        )
 
 
 def amount(count: int) -> str:

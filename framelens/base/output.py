@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, reason
 from framelens.system import replace
 
 WRITABLE = "a folder that can be written"
@@ -113,7 +113,7 @@ class Output:
 
 
 def _cannot_be_written(name: str, error: OSError) -> InputError:
-    return InputError(f"{name}: cannot be written ({error.strerror})")
+    return InputError("{name}: cannot be written ({reason})", name=name, reason=reason(error))
 
 
 def _mode(path: Path) -> int | None:
@@ -181,7 +181,9 @@ def output_paths(out: Path | None, names: list[str]) -> list[Path]:
         check_folder(out or Path())
         return [(out or Path()) / f"{name}.png" for name in names]
     if len(names) != 1:
-        raise InputError(f"--out {out}: expected a folder for {len(names)} views")
+        raise InputError(
+            "--out {out}: expected a folder for {count} views", out=out, count=len(names)
+        )
     check_writable(out, "--out ")
     return [out]
 
@@ -189,7 +191,9 @@ def output_paths(out: Path | None, names: list[str]) -> list[Path]:
 def check_output_folder(out: Path, option: str = "--out ") -> None:
     """Raise InputError unless ``out`` is a folder, or the name of one that can be made."""
     if not _is_folder(out, WRITABLE, option):
-        raise InputError(f"{option}{out}: expected {WRITABLE}")
+        raise InputError(
+            "{option}{out}: expected {writable}", option=option, out=out, writable=WRITABLE
+        )
     check_folder(out, f"{option}{out}")
 
 
@@ -206,7 +210,9 @@ def _is_folder(out: Path, expected: str, option: str = "--out ") -> bool:
     # To make a folder named like a file of another format would be a mistake, but a name such as
     # "run-1.5" has no ending.
     if mode is not None or suffix[1:2].isalpha():
-        raise InputError(f"{option}{out}: expected {expected}")
+        raise InputError(
+            "{option}{out}: expected {expected}", option=option, out=out, expected=expected
+        )
     return True
 
 
@@ -232,11 +238,15 @@ def check_writable(path: Path, option: str = "") -> None:
     """Raise InputError if it is clear that :class:`Output` could not write ``path``."""
     mode = _found(path, option)
     if mode is not None and stat.S_ISDIR(mode):
-        raise InputError(f"{option}{path}: expected a file, found a folder")
+        raise InputError(
+            "{option}{path}: expected a file, found a folder", option=option, path=path
+        )
     if mode is None or stat.S_ISREG(mode):
         check_folder(Path(os.path.realpath(path)).parent, f"{option}{path}")
     if mode is not None and not os.access(path, os.W_OK):
-        raise InputError(f"{option}{path}: cannot be written (Permission denied)")
+        raise InputError(
+            "{option}{path}: cannot be written (Permission denied)", option=option, path=path
+        )
 
 
 def check_folder(folder: Path, name: str = "") -> None:
@@ -246,4 +256,6 @@ def check_folder(folder: Path, name: str = "") -> None:
     """
     standing = next((p for p in (folder, *folder.parents) if os.path.lexists(p)), folder)
     if not os.path.isdir(standing) or not os.access(standing, os.W_OK | os.X_OK):
-        raise InputError(f"{name or f'--out {folder}'}: expected {WRITABLE}")
+        raise InputError(
+            "{name}: expected {writable}", name=name or f"--out {folder}", writable=WRITABLE
+        )

@@ -10,9 +10,11 @@ A text that is to be translated is either the argument of a call of ``_``, the n
 ``scripts/catalogues`` finds both, and checks that every text has a translation.
 """
 
+import os
 import re
 import string
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache
 from numbers import Integral, Real
 from typing import Any, Protocol
@@ -22,7 +24,7 @@ from framelens.base.errors import InputError
 from framelens.base.packages import PACKAGES
 
 LANGUAGES = ("en", "fr")
-_NO_BREAK = re.compile(r" (?=[;:!?%»])|(?<=«) |(?<=\d) (?=\d{3}(?!\d))")
+_NO_BREAK = re.compile(r" (?=[;:!?»]|%(?![(rs]))|(?<=«) |(?<=\d) (?=\d{3}(?!\d))")
 _APOSTROPHE = re.compile(r"(?<=[^\W\d_])'(?=\w|«)")  # as in l'eau; not in 'word' or x'
 
 Texts = dict[str, str]
@@ -63,11 +65,25 @@ def choose(environment: Mapping[str, str]) -> str:
     return "en"
 
 
+@contextmanager
+def speaking(language: str) -> Iterator[None]:
+    """Let the texts, and programs that are started, be in a language; "": in the user's."""
+    before = os.environ.get("LANGUAGE")
+    if language:
+        os.environ["LANGUAGE"] = language
+    try:
+        yield
+    finally:
+        os.environ.pop("LANGUAGE", None)
+        if before is not None:
+            os.environ["LANGUAGE"] = before
+
+
 def typeset(french: str) -> str:
     """Return a French text with its no-break spaces and its apostrophes.
 
-    No-break are the spaces before ; : ! ? %, inside « » and in 1 500 000. What is between
-    backquotes is code, and stays as it is.
+    No-break are the spaces before ; : ! ? %, but not before %s, inside « » and in 1 500 000. What
+    is between backquotes is code, and stays as it is.
     """
     parts = french.split("`")
     # An odd number of parts: each second one is code.
@@ -152,7 +168,9 @@ def _catalogue(language: str, domain: str) -> dict[tuple[str, str], str]:
         try:
             entries = polib.pofile(str(path), encoding="utf-8")
         except (OSError, UnicodeDecodeError) as error:
-            raise InputError(f"{path}: not a catalogue of texts: {error}") from error
+            raise InputError(
+                "{path}: not a catalogue of texts: {error}", path=path, error=error
+            ) from error
         for entry in entries:
             if entry.translated():
                 text = typeset(entry.msgstr) if language == "fr" else entry.msgstr

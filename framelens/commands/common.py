@@ -11,6 +11,7 @@ from typing import Any
 from framelens.base.errors import InputError, short
 from framelens.base.texts import choose
 from framelens.commands import option_values
+from framelens.commands.option_values import refusal
 from framelens.commands.parser import backend_option
 from framelens.commands.reporting import notify, on_program, own_input
 from framelens.program.program_frame import ProgramFrame
@@ -70,7 +71,7 @@ def pixel(text: str) -> tuple[int, int]:
     """Return the pixel that the text of an option names."""
     parts = [part.strip() for part in text.split(",")]
     if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
-        raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y such as 400,300")
+        raise refusal("{text!r}: expected X,Y such as 400,300", text=text)
     return int(parts[0][:9]), int(parts[1][:9])
 
 
@@ -91,7 +92,7 @@ def on_one_program(show: Show, options: argparse.Namespace) -> int:
 def check_program(target: str) -> None:
     """Raise InputError if a target is not the path of a program."""
     if not target.endswith(".py"):
-        raise InputError(f"{short(target)}: expected the path of a .py program")
+        raise InputError("{target}: expected the path of a .py program", target=short(target))
 
 
 def program_frame(options: argparse.Namespace) -> ProgramFrame:

@@ -5,13 +5,20 @@ ArgumentTypeError that it raises.
 """
 
 import argparse
+import os
 from collections.abc import Callable
 from typing import Any
 
 from framelens.base import arguments
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, Message
+from framelens.base.texts import choose
 
 MOST_JOBS = 256  # chosen
+
+
+def refusal(template: str, /, **values: Any) -> argparse.ArgumentTypeError:
+    """Return the error that argparse shows: a Message in the user's language."""
+    return argparse.ArgumentTypeError(Message(template, **values).said(choose(os.environ)))
 
 
 def checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any:
@@ -19,13 +26,13 @@ def checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any
     try:
         return check(value, *more, given=repr(text))
     except InputError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
+        raise argparse.ArgumentTypeError(error.said(choose(os.environ))) from None
 
 
 def size(text: str) -> Any:
     sides = [arguments.digits(side) for side in text.lower().split("x")]
     if len(sides) != 2 or not all(isinstance(side, int) for side in sides):
-        raise argparse.ArgumentTypeError(f"{text!r}: expected WxH such as 800x600")
+        raise refusal("{text!r}: expected WxH such as 800x600", text=text)
     return checked(arguments.size, text, sides)
 
 
@@ -40,14 +47,18 @@ def jobs(text: str) -> Any:
     except InputError:
         found = 0
     if not 1 <= found <= MOST_JOBS:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number from 1 to {MOST_JOBS}")
+        raise refusal(
+            "{text!r}: expected a whole number from 1 to {most_jobs}",
+            text=text,
+            most_jobs=MOST_JOBS,
+        )
     return found
 
 
 def rate(text: str) -> Any:
     rate = number(text)
     if rate != 0 and not 1 <= rate <= 1000:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a number from 1 to 1000, or 0")
+        raise refusal("{text!r}: expected a number from 1 to 1000, or 0", text=text)
     return rate
 
 
@@ -66,14 +77,14 @@ def number(text: str) -> Any:
 def seconds(text: str) -> float:
     found: float = number(text)
     if found <= 0:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a number of seconds above 0")
+        raise refusal("{text!r}: expected a number of seconds above 0", text=text)
     return found
 
 
 def pair(text: str) -> tuple[str, str]:
     key, equals, value = text.partition("=")
     if not equals:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected KEY=VALUE such as fog.density=0.05")
+        raise refusal("{text!r}: expected KEY=VALUE such as fog.density=0.05", text=text)
     return key.strip(), value.strip()
 
 

@@ -2,15 +2,31 @@
 
 import argparse
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
 from typing import Any, Protocol
 
 from framelens.base import arguments
 from framelens.base.errors import InputError
-from framelens.base.texts import LANGUAGES, Translator, marked
+from framelens.base.texts import LANGUAGES, Phrases, Translator, marked, translator
 from framelens.commands import option_values
+
+ARGPARSE: Phrases = (
+    "argument %(argument_name)s: %(message)s",
+    "expected one argument",
+    "expected at most one argument",
+    "expected at least one argument",
+    "invalid choice: %(value)r (choose from %(choices)s)",
+    "the following arguments are required: %s",
+    "not allowed with argument %s",
+    "one of the arguments %s is required",
+    "ambiguous option: %(option)s could match %(matches)s",
+    "ignored explicit argument %r",
+    "invalid %(type)s value: %(value)r",
+)
+"""What argparse says of a command line that it cannot read."""
 
 
 class Command(Protocol):
@@ -36,7 +52,28 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> Any:
         """Report the error in one line, as for all bad input."""
-        raise InputError(f"{message} (see `{self.prog} --help`)")
+        raise InputError("{message} (see `{program} --help`)", message=message, program=self.prog)
+
+
+@contextmanager
+def argparse_speaking(language: str) -> Iterator[None]:
+    """Let the errors of argparse be in a language: it has a function for its texts, gettext's."""
+    before = argparse._  # type: ignore[attr-defined]
+    argparse._ = translator(language, "errors")  # type: ignore[attr-defined]
+    try:
+        yield
+    finally:
+        argparse._ = before  # type: ignore[attr-defined]
+
+
+def language_asked(words: Sequence[str]) -> str:
+    """Return the language that a command line, in words, asks for by --lang; "" if none.
+
+    It is read here before the command line is parsed, as the parser's errors are in it.
+    """
+    asked = [after for word, after in zip(words, words[1:], strict=False) if word == "--lang"]
+    asked += [word.removeprefix("--lang=") for word in words if word.startswith("--lang=")]
+    return asked[-1] if asked and asked[-1] in LANGUAGES else ""
 
 
 class HelpFormatter(argparse.HelpFormatter):

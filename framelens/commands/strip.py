@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 
 from framelens.commands import common
+from framelens.commands.option_values import refusal
 from framelens.commands.parser import language_option
 from framelens.tape.strip import BUFFERS, GROUPINGS
 from framelens.tape.target import Target
@@ -66,5 +67,5 @@ def _buffers(text: str) -> tuple[str, ...]:
     names = tuple(dict.fromkeys(part.strip() for part in text.split(",")))
     for name in names:
         if name not in BUFFERS:
-            raise argparse.ArgumentTypeError(f"{name!r}: expected some of {', '.join(BUFFERS)}")
+            raise refusal("{name!r}: expected some of {names}", name=name, names=", ".join(BUFFERS))
     return names

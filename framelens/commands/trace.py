@@ -98,7 +98,11 @@ def _reader(
             idle.update(without_trace(tape))
         names = dict.fromkeys(name for call in tape.calls for name in call.shared_by)
         if options.element and target.is_program and options.element not in names:
-            raise InputError(f"--element {options.element!r}: expected one of {', '.join(names)}")
+            raise InputError(
+                "--element {element!r}: expected one of {names}",
+                element=options.element,
+                names=", ".join(names),
+            )
         return trace_text.chosen(tape.calls, options.element, options.pass_)
 
     return calls

@@ -17,7 +17,9 @@ def check_platform(name: str) -> None:
     """Raise NoOpenGLError if PyOpenGL is bound to another platform."""
     if _platform not in (None, name):
         raise NoOpenGLError(
-            f"OpenGL runs on {_platform} in this process and cannot change to {name}"
+            "OpenGL runs on {platform} in this process and cannot change to {name}",
+            platform=_platform,
+            name=name,
         )
 
 
@@ -51,5 +53,5 @@ def use_platform(name: str, checked: bool | None = None) -> None:
     except (ImportError, AttributeError, OSError, TypeError) as error:
         reason = f"PyOpenGL cannot load the {name} platform ({error})"
         wanted = advice.install(name if name in ("osmesa", "egl") else "glfw", str(error))
-        raise NoOpenGLError(f"{reason}: {wanted}") from error
+        raise NoOpenGLError("{reason}: {wanted}", reason=reason, wanted=wanted) from error
     _platform = name

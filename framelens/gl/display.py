@@ -85,7 +85,7 @@ def import_glfw() -> Any:
         import glfw
     except ImportError as error:
         reason = f"GLFW cannot be loaded ({error})"
-        raise NoOpenGLError(f"{reason}: install the Python package glfw") from None
+        raise NoOpenGLError("{reason}: install the Python package glfw", reason=reason) from None
     finally:
         if kind:
             # A program started from here may have another display.

@@ -42,7 +42,9 @@ def _numbers(text: str) -> tuple[int, int]:
     """Return the two numbers that a version begins with; NoOpenGLError if it does not."""
     numbers = re.match(r"(\d+)\.(\d+)", text)
     if numbers is None:
-        raise NoOpenGLError(f"this driver's version is {text!r}: expected OpenGL, as in '2.1'")
+        raise NoOpenGLError(
+            "this driver's version is {text!r}: expected OpenGL, as in '2.1'", text=text
+        )
     return int(numbers[1]), int(numbers[2])
 
 

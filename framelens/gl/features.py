@@ -89,7 +89,7 @@ def possible(name: str) -> bool:
 def require(name: str) -> None:
     """Raise NoOpenGLError if a feature that a command cannot do without is not possible."""
     if why := reason(name):
-        raise NoOpenGLError(f"{name}: {why}")
+        raise NoOpenGLError("{name}: {why}", name=name, why=why)
 
 
 def left_out() -> dict[str, list[str]]:

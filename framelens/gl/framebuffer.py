@@ -30,8 +30,10 @@ class Framebuffer:
         if samples and size[0] * size[1] > MOST_SMOOTH:
             text = f"{size[0]}x{size[1]}"
             raise InputError(
-                f"size {text}: expected at most {MOST_SMOOTH / 1e6:.0f} megapixels with "
-                f"antialiasing, or samples 0"
+                "size {text}: expected at most {most_smooth:.0f} megapixels with "
+                "antialiasing, or samples 0",
+                text=text,
+                most_smooth=MOST_SMOOTH / 1000000.0,
             )
         self.size = size
         self.samples = min(samples, int(gl.glGetIntegerv(gl.GL_MAX_SAMPLES)))
@@ -57,7 +59,11 @@ class Framebuffer:
         gl.glBindRenderbuffer(gl.GL_RENDERBUFFER, 0)
         state = gl.glCheckFramebufferStatus(gl.GL_FRAMEBUFFER)
         if state != gl.GL_FRAMEBUFFER_COMPLETE:
-            raise InputError(f"size {self.size[0]}x{self.size[1]}: no memory for the framebuffer")
+            raise InputError(
+                "size {width}x{height}: no memory for the framebuffer",
+                width=self.size[0],
+                height=self.size[1],
+            )
         return frame, buffers
 
     def bind(self) -> None:
@@ -125,7 +131,9 @@ def check_size(size: tuple[int, int], most: int = sys.maxsize) -> None:
     most = min(most, *(int(side) for side in gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)))
     if not all(0 < side <= most for side in size):
         text = f"{size[0]}x{size[1]}"
-        raise InputError(f"size {text}: expected from 1x1 to {most}x{most} on this OpenGL")
+        raise InputError(
+            "size {text}: expected from 1x1 to {most}x{most} on this OpenGL", text=text, most=most
+        )
 
 
 def read_pixels(size: tuple[int, int], scratch: np.ndarray | None = None) -> np.ndarray:

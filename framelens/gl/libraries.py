@@ -54,7 +54,9 @@ def require(library: str, backend: str) -> ctypes.CDLL:
         return load(library)
     except OSError as error:
         wanted = advice.install(backend, str(error))
-        raise NoOpenGLError(f"no {library} library ({error}): {wanted}") from None
+        raise NoOpenGLError(
+            "no {library} library ({error}): {wanted}", library=library, error=error, wanted=wanted
+        ) from None
 
 
 def functions(
@@ -67,7 +69,12 @@ def functions(
             found = library[function]
         except AttributeError:
             wanted = advice.install(backend)
-            raise NoOpenGLError(f"the {name} library has no {function}: {wanted}") from None
+            raise NoOpenGLError(
+                "the {name} library has no {function}: {wanted}",
+                name=name,
+                function=function,
+                wanted=wanted,
+            ) from None
         found.restype, found.argtypes = result, arguments
         setattr(declared, function, found)
     return declared

@@ -117,8 +117,9 @@ class ProgramInspector(ExitStack):
         """Begin with the inspector open."""
         if window.core_profile:
             raise InputError(
-                f"{self._path}: the inspector draws its panel with fixed function, which a core "
-                "profile lacks; trace and state look into this program"
+                "{path}: the inspector draws its panel with fixed function, which a core "
+                "profile lacks; trace and state look into this program",
+                path=self._path,
             )
         self._new, self._pixels = state.read(), window.size
         self._keeps = not window.double_buffered

@@ -196,7 +196,7 @@ class Run:
 
     def refuse(self, reason: str) -> Unwind:
         """Return what to raise in the program because it cannot go on."""
-        return self.stop(ProgramError(f"{self.source.path}: {reason}"))
+        return self.stop(ProgramError("{path}: {reason}", path=self.source.path, reason=reason))
 
     def stop(self, failure: BaseException) -> Unwind:
         """Return what to raise in the program; ``run`` will raise ``failure``."""
@@ -434,12 +434,12 @@ def run(
     Raises NoOpenGLError, and ProgramError, whose ``details`` hold the program's own traceback.
     """
     if frame is not None and (type(frame) is not int or frame < 0):
-        raise InputError(f"frame {frame}: expected a whole number from 0")
+        raise InputError("frame {frame}: expected a whole number from 0", frame=frame)
     limit = LIMIT if limit is None else limit
     source = read_source(Path(path))
     state = Run(source, frame, read_events(events), backend, observer, live, host)
     if host is not None and source.toolkit in ("glut", "pygame", "qt"):
-        raise ProgramError(f"{source.path}: a lecture shows GLFW programs only")
+        raise ProgramError("{path}: a lecture shows GLFW programs only", path=source.path)
     toolkit = _toolkit(source)
     with ExitStack() as stack:
         stack.callback(guard.stand_by)
@@ -474,9 +474,16 @@ def run(
         raise state.failure
     if not state.over and state.window is None:
         reason = f" ({state.reason})" if state.reason else ""
-        raise ProgramError(f"{path}: ended without opening a window for OpenGL{reason}")
+        raise ProgramError(
+            "{path}: ended without opening a window for OpenGL{reason}", path=path, reason=reason
+        )
     if not state.over and frame is not None:
-        raise ProgramError(f"{path}: ended after {count(state.frames)}; frame {frame} was asked")
+        raise ProgramError(
+            "{path}: ended after {count}; frame {frame} was asked",
+            path=path,
+            count=count(state.frames),
+            frame=frame,
+        )
     return state.result
 
 
@@ -498,7 +505,9 @@ def _toolkit(source: Source) -> Callable[[Run], Any]:
         from framelens.program.program_qt import qt_program
 
         return qt_program
-    raise ProgramError(f"{source.path}: {_without_toolkit(source)}")
+    raise ProgramError(
+        "{path}: {without_toolkit}", path=source.path, without_toolkit=_without_toolkit(source)
+    )
 
 
 def _pygame_beside(state: Run) -> AbstractContextManager[None]:

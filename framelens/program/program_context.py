@@ -58,7 +58,11 @@ def prepare(backend: str, checked: bool) -> None:
     kind, reason = screen()
     if not kind:
         wanted = advice.window(reason)
-        raise NoOpenGLError(f"there is no screen to open a window on ({reason}): {wanted}")
+        raise NoOpenGLError(
+            "there is no screen to open a window on ({reason}): {wanted}",
+            reason=reason,
+            wanted=wanted,
+        )
     use_platform({"x11": "glx"}.get(kind, kind), checked)
 
 

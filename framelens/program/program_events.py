@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from framelens.base.errors import InputError, short
+from framelens.base.errors import InputError, reason, short
 
 KINDS = ("key", "button", "move", "scroll", "resize", "close")
 BUTTONS = ("left", "right", "middle")
@@ -146,15 +146,17 @@ def _entries(path: Path) -> list[Any]:
     try:
         text = path.read_text(encoding="utf-8")
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+        raise InputError(
+            "{path}: cannot be read ({reason})", path=path, reason=reason(error)
+        ) from None
     except UnicodeDecodeError:
-        raise InputError(f"{path}: is not text; expected events as JSON") from None
+        raise InputError("{path}: is not text; expected events as JSON", path=path) from None
 
     if text.lstrip().startswith("["):
         try:
             entries = json.loads(text)
         except (ValueError, RecursionError) as error:
-            raise InputError(f"{path}: is not JSON ({error})") from None
+            raise InputError("{path}: is not JSON ({error})", path=path, error=error) from None
         return list(entries)
 
     found = []
@@ -163,7 +165,12 @@ def _entries(path: Path) -> list[Any]:
             try:
                 found.append(json.loads(line))
             except (ValueError, RecursionError) as error:
-                raise InputError(f"{path}: line {number} is not JSON ({error})") from None
+                raise InputError(
+                    "{path}: line {number} is not JSON ({error})",
+                    path=path,
+                    number=number,
+                    error=error,
+                ) from None
 
     return found
 
@@ -172,25 +179,39 @@ def _event(entry: Any, where: str) -> Event:
     """Check an event; ``where`` names it in the error."""
     if not isinstance(entry, dict):
         raise InputError(
-            f'{where}: {short(entry)} is not an object such as {{"frame": 3, "key": "SPACE"}}'
+            '{where}: {entry} is not an object such as {{"frame": 3, "key": "SPACE"}}',
+            where=where,
+            entry=short(entry),
         )
 
     kinds = [kind for kind in KINDS if kind in entry]
     if len(kinds) != 1:
-        raise InputError(f"{where}: expected exactly one of {', '.join(KINDS)}")
+        raise InputError(
+            "{where}: expected exactly one of {names}", where=where, names=", ".join(KINDS)
+        )
     kind = kinds[0]
     pressing = kind in ("key", "button")
     allowed = {"frame", kind} | ({"action", "mods"} if pressing else set())
     for name in entry:
         if name not in allowed:
-            raise InputError(f"{where}: {short(name)} has no meaning for an event of this kind")
+            raise InputError(
+                "{where}: {name} has no meaning for an event of this kind",
+                where=where,
+                name=short(name),
+            )
     frame = entry.get("frame")
     if type(frame) is not int or frame < 0:
-        raise InputError(f'{where}: "frame" is {short(frame)}, expected a whole number from 0')
+        raise InputError(
+            '{where}: "frame" is {frame}, expected a whole number from 0',
+            where=where,
+            frame=short(frame),
+        )
     given = entry[kind]
     if kind == "close":
         if given is not True:
-            raise InputError(f'{where}: "close" is {short(given)}, expected true')
+            raise InputError(
+                '{where}: "close" is {value}, expected true', where=where, value=short(given)
+            )
         return Event(frame, kind)
 
     if not pressing:
@@ -199,7 +220,12 @@ def _event(entry: Any, where: str) -> Event:
     action = _one_of(entry.get("action", "press"), actions, "action", where)
     mods = entry.get("mods", [])
     if not isinstance(mods, list):
-        raise InputError(f'{where}: "mods" is {short(mods)}, expected a list of {", ".join(MODS)}')
+        raise InputError(
+            '{where}: "mods" is {mods}, expected a list of {names}',
+            where=where,
+            mods=short(mods),
+            names=", ".join(MODS),
+        )
     held = {_one_of(mod, MODS, "mods", where) for mod in mods}
     if kind == "button":
         return Event(frame, kind, _one_of(given, BUTTONS, kind, where), action, frozenset(held))
@@ -214,12 +240,22 @@ def _key(given: Any, where: str) -> tuple[str, bool]:
             return given.upper(), False
         if given in _NAMED:
             return _NAMED[given]
-    raise InputError(f'{where}: "key" is {short(given)}, expected a key\'s name such as A or SPACE')
+    raise InputError(
+        '{where}: "key" is {value}, expected a key\'s name such as A or SPACE',
+        where=where,
+        value=short(given),
+    )
 
 
 def _one_of(given: Any, values: Sequence[str], name: str, where: str) -> str:
     if not isinstance(given, str) or given not in values:
-        raise InputError(f'{where}: "{name}" is {short(given)}, expected {" or ".join(values)}')
+        raise InputError(
+            '{where}: "{name}" is {value}, expected {names}',
+            where=where,
+            name=name,
+            value=short(given),
+            names=" or ".join(values),
+        )
     return given
 
 
@@ -233,5 +269,11 @@ def _pair(given: Any, name: str, where: str) -> tuple[float, float]:
         or (whole and min(given) < 1)
     ):
         expected = f"two whole numbers from 1 to {LARGEST}" if whole else "two numbers"
-        raise InputError(f'{where}: "{name}" is {short(given)}, expected {expected}')
+        raise InputError(
+            '{where}: "{name}" is {value}, expected {expected}',
+            where=where,
+            name=name,
+            value=short(given),
+            expected=expected,
+        )
     return given[0], given[1]

@@ -37,7 +37,12 @@ def raised(path: Path, error: BaseException) -> ProgramError:
     if isinstance(error, ModuleNotFoundError) and error.name:
         name = error.name.split(".")[0]
         if name not in ("OpenGL", path.stem):
-            return ProgramError(f"{path}: needs the Python package {name}, not installed", details)
+            return ProgramError(
+                "{path}: needs the Python package {name}, not installed",
+                details,
+                path=path,
+                name=name,
+            )
 
     try:
         text = str(error).strip().splitlines()
@@ -56,7 +61,9 @@ def raised(path: Path, error: BaseException) -> ProgramError:
 
     # The last of the program's own lines, which calls what is not its own.
     line = f", line {calls[-1].tb_lineno}" if calls else ""
-    return ProgramError(f"{path}{line}: the program raised {reason}", details)
+    return ProgramError(
+        "{path}{line}: the program raised {reason}", details, path=path, line=line, reason=reason
+    )
 
 
 def _without_ours(
@@ -95,7 +102,7 @@ def late(state: "Run", wanted: int | None, limit: float) -> ProgramError:
         done = f"completed no frame within {limit:g} s: it never shows one"
     else:
         done = f"completed {count(frames)} within {limit:g} s; frame {wanted} was not reached"
-    return ProgramError(f"{path}: {done}, or needs a longer --limit")
+    return ProgramError("{path}: {done}, or needs a longer --limit", path=path, done=done)
 
 
 def count(frames: int) -> str:

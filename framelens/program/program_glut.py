@@ -72,15 +72,23 @@ def glut_program(run: Run) -> Iterator[None]:
     """Prepare GLUT and PyOpenGL for a program, and replace GLUT's functions inside the block."""
     if run.backend in ("osmesa", "egl", "cgl"):
         reason = f"GLUT needs a screen, it cannot draw by {run.backend}"
-        raise NoOpenGLError(f"{run.source.path}: {reason}: use --backend glfw")
+        raise NoOpenGLError(
+            "{path}: {reason}: use --backend glfw", path=run.source.path, reason=reason
+        )
     if run.backend == "software":
         ask_for_software()
     if sys.platform == "linux" and (reason := display.problem("x11", os.environ)):
-        raise NoOpenGLError(f"{run.source.path}: GLUT needs a screen ({reason}): use xvfb-run")
+        raise NoOpenGLError(
+            "{path}: GLUT needs a screen ({reason}): use xvfb-run",
+            path=run.source.path,
+            reason=reason,
+        )
     if sys.platform == "darwin":
         check_thread()
     if not load_glut(run.source.checked):
-        raise ProgramError(f"{run.source.path}: needs GLUT: {advice.install('glut')}")
+        raise ProgramError(
+            "{path}: needs GLUT: {install}", path=run.source.path, install=advice.install("glut")
+        )
     stand_in = _Glut(run, library("GLUT"))
     functions = stand_in.functions()
 

@@ -55,7 +55,9 @@ class LiveWindow:
             glfw.window_hint(getattr(glfw, name), count)
         self._window = glfw.create_window(*size, title, None, None)
         if not self._window:
-            raise run.stop(NoOpenGLError(f"GLFW opens no window: {glfw.get_error()[1]!s}"))
+            raise run.stop(
+                NoOpenGLError("GLFW opens no window: {get_error!s}", get_error=glfw.get_error()[1])
+            )
         glfw.make_context_current(self._window)
         keys = {getattr(glfw, f"KEY_{key}"): key for key in KEYS}
         run.live.attach(glfw, self._window, keys)

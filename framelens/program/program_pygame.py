@@ -111,7 +111,7 @@ def _choose(run: Run, pygame: Any) -> str:
     refused = {"osmesa": "OSMesa", "cgl": "CGL"}
     if run.backend in refused:
         reason = f"pygame draws by EGL or on a screen, not by {refused[run.backend]}"
-        raise NoOpenGLError(f"{run.source.path}: {reason}")
+        raise NoOpenGLError("{path}: {reason}", path=run.source.path, reason=reason)
     if run.backend == "software":
         ask_for_software()
     kind, reason = screen()
@@ -142,7 +142,9 @@ def _choose(run: Run, pygame: Any) -> str:
             pygame.display.quit()
 
     why = "; ".join(reasons)
-    raise NoOpenGLError(f"{run.source.path}: pygame opens no window for OpenGL here ({why})")
+    raise NoOpenGLError(
+        "{path}: pygame opens no window for OpenGL here ({why})", path=run.source.path, why=why
+    )
 
 
 class _Pygame:

@@ -45,16 +45,21 @@ def qt_program(run: Run) -> Iterator[None]:
     path = run.source.path
     if run.live is not None:
         raise ProgramError(
-            f"{path}: the inspector shows GLFW, GLUT and pygame programs; trace, pixel, state and "
-            "strip look into this one"
+            "{path}: the inspector shows GLFW, GLUT and pygame programs; trace, pixel, "
+            "state and strip look into this one",
+            path=path,
         )
 
     if sys.platform != "linux" or run.backend in ("osmesa", "egl", "cgl"):
-        raise NoOpenGLError(f"{path}: a program with Qt is drawn by X11's OpenGL only, on Linux")
+        raise NoOpenGLError(
+            "{path}: a program with Qt is drawn by X11's OpenGL only, on Linux", path=path
+        )
     if run.backend == "software":
         ask_for_software()
     if reason := display.problem("x11", os.environ):
-        raise NoOpenGLError(f"{path}: Qt needs X11 for OpenGL ({reason}): use xvfb-run")
+        raise NoOpenGLError(
+            "{path}: Qt needs X11 for OpenGL ({reason}): use xvfb-run", path=path, reason=reason
+        )
     binding = next(name for name in QT if name in run.source.modules)
     need_package(binding, path)
     use_platform("glx", run.source.checked)

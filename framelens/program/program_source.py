@@ -90,8 +90,8 @@ class Source:
 class ProgramError(InputError):
     """A program that cannot be run to its frame; ``details`` is its own traceback, or ""."""
 
-    def __init__(self, message: str, details: str = "") -> None:
-        super().__init__(message)
+    def __init__(self, template: str, details: str = "", /, **values: Any) -> None:
+        super().__init__(template, **values)
         self.details = details
 
 
@@ -100,7 +100,7 @@ def read_source(path: Path) -> Source:
     try:
         text = read_bounded(path, MOST_BYTES)
     except InputError as error:
-        raise ProgramError(str(error)) from None
+        raise ProgramError("{error}", error=error) from None
     try:
         tree = ast.parse(text, str(path))
         code = compile(tree, str(path), "exec", dont_inherit=True)
@@ -109,9 +109,13 @@ def read_source(path: Path) -> Source:
 
         line = f", line {error.lineno}" if error.lineno else ""
         details = "".join(traceback.format_exception_only(error))
-        raise ProgramError(f"{path}{line}: is not Python 3 ({error.msg})", details) from None
+        raise ProgramError(
+            "{path}{line}: is not Python 3 ({msg})", details, path=path, line=line, msg=error.msg
+        ) from None
     except (ValueError, RecursionError, MemoryError) as error:
-        raise ProgramError(f"{path}: is not a Python program ({error})") from None
+        raise ProgramError(
+            "{path}: is not a Python program ({error})", path=path, error=error
+        ) from None
     modules: set[str] = set()
     opens: set[str] = set()
     checked = _read(path, text, tree, modules, opens, set())
@@ -227,4 +231,9 @@ def _beside(folder: Path, parts: list[str]) -> list[Path]:
 def need_package(name: str, path: Path) -> None:
     """Raise ProgramError if the Python package of a toolkit is not installed."""
     if importlib.util.find_spec(name) is None:
-        raise ProgramError(f"{path}: needs the Python package {name}: {how_to_add(name)}")
+        raise ProgramError(
+            "{path}: needs the Python package {name}: {how_to_add}",
+            path=path,
+            name=name,
+            how_to_add=how_to_add(name),
+        )

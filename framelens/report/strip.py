@@ -50,7 +50,9 @@ def checked_out(out: Path | None, target: str) -> Path:
     path = Path(f"{Path(target).stem}-strip.png") if out is None else out
     check_writable(path, "--out ")
     if path.suffix.lower() not in FORMATS:
-        raise InputError(f"--out {path}: expected a name that ends in .png, .gif or .html")
+        raise InputError(
+            "--out {path}: expected a name that ends in .png, .gif or .html", path=path
+        )
     return path
 
 
@@ -68,7 +70,7 @@ def on_screen(tape: Tape, name: str, request: Request, size: tuple[int, int]) ->
     """
     parts = groups(tape, request.by)
     if not parts:
-        raise InputError(f"{name}: its frame draws nothing")
+        raise InputError("{name}: its frame draws nothing", name=name)
     page, found = _page(tape, parts, name, request)
     return strip_screen.as_image(page, _cells(tape, parts, request, found, page.tones), size)
 
@@ -143,7 +145,7 @@ def _changed(language: str, before: np.ndarray, after: np.ndarray) -> str:
 def _check(parts: Sequence[Group], target: Target, request: Request, suffix: str) -> None:
     """Raise InputError unless a file of this format can hold all pictures."""
     if not parts:
-        raise InputError(f"{target.name}: its frame draws nothing")
+        raise InputError("{name}: its frame draws nothing", name=target.name)
     pictures = len(parts) * len(request.buffers)
     if pictures <= MOST[suffix]:
         return
@@ -151,8 +153,12 @@ def _check(parts: Sequence[Group], target: Target, request: Request, suffix: str
     if not other:
         other = ["--by element" if request.by == "draw" else "fewer --buffers"]
     raise InputError(
-        f"strip: {pictures} pictures are too many for one {suffix} (at most {MOST[suffix]}): "
-        f"expected {' or '.join(other)}"
+        "strip: {pictures} pictures are too many for one {suffix} (at most {most}): "
+        "expected {names}",
+        pictures=pictures,
+        suffix=suffix,
+        most=MOST[suffix],
+        names=" or ".join(other),
     )
 
 

@@ -89,7 +89,9 @@ def parsed(name: str, index: int, args: Sequence[Any], text: str) -> Any:
     """
     found = parameter(name, index, args)
     if found is None:
-        raise InputError(f"{name}: argument {index} is not in the table of OpenGL 1.5")
+        raise InputError(
+            "{name}: argument {index} is not in the table of OpenGL 1.5", name=name, index=index
+        )
     text = text.strip()
     if found.kind in ("enum", "boolean"):
         value = _chosen(name, found, legal(name, index, args), text)
@@ -107,7 +109,9 @@ def parsed(name: str, index: int, args: Sequence[Any], text: str) -> Any:
             return ctypes.c_void_p(int(match[1]))
         return None if text == "None" else _refuse(name, found, text, "a number of bytes")
 
-    raise InputError(f"{name} {found.name}: an argument of this kind cannot be changed")
+    raise InputError(
+        "{call} {name}: an argument of this kind cannot be changed", call=name, name=found.name
+    )
 
 
 def _chosen(name: str, found: Parameter, allowed: Sequence[str], text: str) -> Any:
@@ -219,4 +223,10 @@ def _dtype(name: str, given: Any, of: str = "") -> Any:
 
 
 def _refuse(name: str, found: Parameter, text: str, wanted: str) -> NoReturn:
-    raise InputError(f"{name} {found.name} {short(text)[1:-1]}: expected {wanted}")
+    raise InputError(
+        "{call} {argument} {text}: expected {wanted}",
+        call=name,
+        argument=found.name,
+        text=short(text)[1:-1],
+        wanted=wanted,
+    )

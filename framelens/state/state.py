@@ -72,7 +72,12 @@ def _read_pushed(stack: str, masks: list[int], state: State) -> list[dict[str, A
     """Read what each push has saved, by popping it, and push it again."""
     if state[f"{stack}_DEPTH"] != len(masks):
         depth = state[f"{stack}_DEPTH"]
-        raise StateError(f"{stack}_DEPTH is {depth}, and {len(masks)} masks were given")
+        raise StateError(
+            "{stack}_DEPTH is {depth}, and {count} masks were given",
+            stack=stack,
+            depth=depth,
+            count=len(masks),
+        )
     levels: list[dict[str, Any]] = []
     above = _values(state)
     for mask in reversed(masks):
@@ -154,7 +159,11 @@ def restore(state: Mapping[str, Any]) -> None:
         _drop_errors()
         left = difference(target, _values(read_now()))
         what = ", ".join(name for name in left if "POINTER" not in name)
-        raise StateError(f"OpenGL refused a value (error 0x{error:04X}): {what or 'unknown'}")
+        raise StateError(
+            "OpenGL refused a value (error 0x{error:04X}): {what}",
+            error=error,
+            what=what or "unknown",
+        )
 
 
 def _close() -> None:

@@ -106,7 +106,9 @@ def plan() -> Plan:
     if INTS[0] == -1:
         raise StateError("the state cannot be read between glBegin and glEnd, or with no context")
     if INTS[0]:
-        raise StateError(f"the state cannot be read while display list {INTS[0]} is compiled")
+        raise StateError(
+            "the state cannot be read while display list {ints} is compiled", ints=INTS[0]
+        )
     text = ctypes.string_at(raw.glGetString(enum("GL_VERSION")))
     if text >= b"3.2" and whole("GL_CONTEXT_PROFILE_MASK") & 1:
         raise StateError("a core profile has no fixed function: only trace looks into it")

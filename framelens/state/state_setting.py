@@ -52,7 +52,9 @@ def _bind_containers(now: State, target: Mapping[str, Any]) -> None:
     for name, place in FRAMEBUFFERS.items():
         if now.get(name) != target.get(name):
             if target[name] and not raw.glIsFramebuffer(target[name]):
-                raise StateError(f"{name} is {target[name]}: no such framebuffer here")
+                raise StateError(
+                    "{name} is {target}: no such framebuffer here", name=name, target=target[name]
+                )
             raw.glBindFramebuffer(enum(place), target[name])
     name = "GL_VERTEX_ARRAY_BINDING"
     if now.get(name) != target.get(name):

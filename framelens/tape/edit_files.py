@@ -65,14 +65,20 @@ def read(path: Path, sources: Path | None = None) -> list[Edit]:
     except InputError:
         raise
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path}: expected edits as JSON ({error})") from None
+        raise InputError(
+            "{path}: expected edits as JSON ({error})", path=path, error=error
+        ) from None
 
     version = found.get("version") if isinstance(found, dict) else None
     if version != VERSION or not _is_number(version):
-        raise InputError(f'{path}: expected {{"version": {VERSION}, "edits": [...]}}')
+        raise InputError(
+            '{path}: expected {{"version": {version}, "edits": [...]}}', path=path, version=VERSION
+        )
     entries = found.get("edits")
     if not isinstance(entries, list) or len(entries) > MOST:
-        raise InputError(f'{path}: expected "edits" to be a list of at most {MOST}')
+        raise InputError(
+            '{path}: expected "edits" to be a list of at most {most}', path=path, most=MOST
+        )
     return [
         _settled(_edit(entry, f"{path}: edit {number}"), sources)
         for number, entry in enumerate(entries, 1)
@@ -82,17 +88,23 @@ def read(path: Path, sources: Path | None = None) -> list[Edit]:
 def _edit(entry: Any, where: str) -> Edit:
     """Return the edit that an entry of a file describes."""
     if not isinstance(entry, dict) or not isinstance(entry.get("call"), dict):
-        raise InputError(f'{where}: expected {{"call": {{...}}, "argument": N, "value": ...}}')
+        raise InputError(
+            '{where}: expected {{"call": {{...}}, "argument": N, "value": ...}}', where=where
+        )
     call = entry["call"]
     key, occurrence = _key(call, where), _whole(call, "occurrence", where)
     shown = call.get("was", "")
     edit = Edit(key, occurrence, shown=shown if isinstance(shown, str) else "", origin=where)
     if entry.get("skip") is True:
         if not may_be_left_out(key.name):
-            raise InputError(f"{where}: {key.name} cannot be left out: the program needs it")
+            raise InputError(
+                "{where}: {name} cannot be left out: the program needs it",
+                where=where,
+                name=key.name,
+            )
         return replace(edit, skip=True)
     if "value" not in entry or "argument" not in entry:
-        raise InputError(f'{where}: expected "argument" and "value", or "skip": true')
+        raise InputError('{where}: expected "argument" and "value", or "skip": true', where=where)
     component = _whole(entry, "component", where) if "component" in entry else None
     value = _value(entry["value"], where)
     return replace(
@@ -103,16 +115,20 @@ def _edit(entry: Any, where: str) -> Edit:
 def _key(call: Mapping[str, Any], where: str) -> Key:
     select = call.get("select", [])
     if not isinstance(select, list) or not all(isinstance(each, str) for each in select):
-        raise InputError(f'{where}: expected "select" to be a list of names')
+        raise InputError('{where}: expected "select" to be a list of names', where=where)
     texts = [_text(call, name, where) for name in TEXTS]
     name, element, file, function, text = texts
     if not name.startswith("gl"):
-        raise InputError(f"{where}: {short(name)}: expected the name of an OpenGL function")
+        raise InputError(
+            "{where}: {name}: expected the name of an OpenGL function",
+            where=where,
+            name=short(name),
+        )
     listed = None
     if "list" in call:
         inside = call["list"]
         if not isinstance(inside, dict):
-            raise InputError(f'{where}: expected "list" to describe a display list')
+            raise InputError('{where}: expected "list" to describe a display list', where=where)
         names = ("element", "file", "function", "text")
         its = {each: _text(inside, each, where) for each in names}
         listed = ListKey(**its, occurrence=_whole(inside, "occurrence", where))
@@ -124,14 +140,21 @@ def _key(call: Mapping[str, Any], where: str) -> Key:
 def _text(entry: Mapping[str, Any], name: str, where: str) -> str:
     value = entry.get(name, "")
     if not isinstance(value, str):
-        raise InputError(f'{where}: expected "{name}" of the call to be text')
+        raise InputError(
+            '{where}: expected "{name}" of the call to be text', where=where, name=name
+        )
     return value
 
 
 def _whole(entry: Mapping[str, Any], name: str, where: str) -> int:
     value = entry.get(name, 0)
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 1 << 31:
-        raise InputError(f'{where}: {short(value)}: expected "{name}" to be a number from 0 on')
+        raise InputError(
+            '{where}: {value}: expected "{name}" to be a number from 0 on',
+            where=where,
+            value=short(value),
+            name=name,
+        )
     return value
 
 
@@ -144,11 +167,19 @@ def _value(value: Any, where: str) -> Any:
         # Asking PyOpenGL would bind it to a platform before one is chosen.
         unknown = [name.strip() for name in value.split("|") if name.strip() not in _enumerants()]
         if unknown:
-            raise InputError(f"{where}: {short(unknown[0])}: no enumerant of OpenGL 1.5")
+            raise InputError(
+                "{where}: {unknown}: no enumerant of OpenGL 1.5",
+                where=where,
+                unknown=short(unknown[0]),
+            )
         return value
     elif isinstance(value, bool) or _is_number(value):
         return value
-    raise InputError(f"{where}: {short(value)}: expected a number, a list of them, or GL_... names")
+    raise InputError(
+        "{where}: {value}: expected a number, a list of them, or GL_... names",
+        where=where,
+        value=short(value),
+    )
 
 
 @functools.cache

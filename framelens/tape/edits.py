@@ -290,7 +290,11 @@ class Edits:
                 where = f"{edit.origin}: {edit.key.name}, argument"
                 reason = f": {error}" if isinstance(error, NotAllowed) else ""
                 raise InputError(
-                    f"{where} {edit.argument}: it cannot be {short(edit.value)}{reason}"
+                    "{where} {argument}: it cannot be {value}{reason}",
+                    where=where,
+                    argument=edit.argument,
+                    value=short(edit.value),
+                    reason=reason,
                 ) from None
         return tuple(changed) if indices else args
 

@@ -66,8 +66,10 @@ def _read_at(tape: Tape, place: str) -> State:
     until = find(tape.calls, place).number if place else len(tape.calls)
     if until < tape.begin:
         raise InputError(
-            f"call {short(place)}: it is made before the frame begins, whose calls are "
-            f"{tape.begin} to {len(tape.calls) - 1}"
+            "call {place}: it is made before the frame begins, whose calls are {begin} to {count}",
+            place=short(place),
+            begin=tape.begin,
+            count=len(tape.calls) - 1,
         )
 
     tape.rewind()

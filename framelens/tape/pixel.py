@@ -78,7 +78,11 @@ def history(tape: Tape, x: int, y: int) -> list[Row]:
     width, height = tape.size
     if not (0 <= x < width and 0 <= y < height):
         raise InputError(
-            f"pixel {x},{y}: expected one of the picture, 0,0 to {width - 1},{height - 1}"
+            "pixel {x},{y}: expected one of the picture, 0,0 to {width},{height}",
+            x=x,
+            y=y,
+            width=width - 1,
+            height=height - 1,
         )
 
     tape.rewind()

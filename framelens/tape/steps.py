@@ -130,14 +130,22 @@ def find(calls: Sequence[Call], place: str) -> Step:
     """Return the step at a place; InputError names the places there are."""
     parts = place.split(".")
     if not all(part.isascii() and part.isdigit() for part in parts):
-        raise InputError(f"call {short(place)}: expected a number such as 12, or 12.3 in a list")
+        raise InputError(
+            "call {place}: expected a number such as 12, or 12.3 in a list", place=short(place)
+        )
     among, step = calls, None
     for depth, part in enumerate(parts):
         index = int(part[:20])
         if index >= len(among):
             where = f"call {'.'.join(parts[:depth])} executes" if depth else "the frame has"
             last = f"expected 0 to {len(among) - 1}" if among else "and no call inside it"
-            raise InputError(f"call {short(place)}: {where} {len(among)} calls, {last}")
+            raise InputError(
+                "call {place}: {where} {count} calls, {last}",
+                place=short(place),
+                where=where,
+                count=len(among),
+                last=last,
+            )
         call = among[index]
         step = Step(".".join(parts[: depth + 1]), call, step.top if step else call)
         among = call.listed

@@ -49,7 +49,8 @@ def place_of(tape: Tape, text: str) -> str:
     if not named:
         elements = dict.fromkeys(name for call in tape.frame for name in call.shared_by)
         raise InputError(
-            f"{short(text)}: expected a call's number or an element of the frame: "
-            f"{', '.join(elements)}"
+            "{text}: expected a call's number or an element of the frame: {names}",
+            text=short(text),
+            names=", ".join(elements),
         )
     return str(named[0].number)

@@ -119,8 +119,11 @@ def diagnose(
     width, height = tape.size
     if pixel is not None and not (0 <= pixel[0] < width and 0 <= pixel[1] < height):
         raise InputError(
-            f"pixel {pixel[0]},{pixel[1]}: expected one of the picture, 0,0 to "
-            f"{width - 1},{height - 1}"
+            "pixel {x},{y}: expected one of the picture, 0,0 to {width},{height}",
+            x=pixel[0],
+            y=pixel[1],
+            width=width - 1,
+            height=height - 1,
         )
 
     until = time.monotonic() + limit

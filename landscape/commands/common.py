@@ -6,6 +6,7 @@ from typing import Any
 
 from framelens.base import arguments
 from framelens.commands import option_values
+from framelens.commands.option_values import refusal
 from framelens.commands.parser import backend_option
 from landscape.frame import checked_pose
 from landscape.scene.scene import SEED, scene
@@ -49,7 +50,7 @@ def _pose(text: str) -> Any:
     """Return the pose that an option gives."""
     parts = tuple(arguments.real(part.strip()) for part in text.split(","))
     if len(parts) != 5:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected X,Y,Z,YAW,PITCH")
+        raise refusal("{text!r}: expected X,Y,Z,YAW,PITCH", text=text)
     return option_values.checked(checked_pose, text, parts)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from framelens.base.errors import InputError, NoOpenGLError
 from framelens.base.output import check_writable, save_png
 from framelens.base.texts import Translator, choose
+from framelens.commands.option_values import refusal
 from framelens.commands.parser import language_option
 from framelens.program.program_frame import ProgramFrame
 from framelens.report.why_report import find
@@ -22,7 +23,6 @@ from landscape.course.exercise import Exercise, Grader, Report
 from landscape.course.grader.budget import MOST_SECONDS, SECONDS
 from landscape.course.grader.grading import MOST, _
 from landscape.course.grader.troubles import sentence
-from landscape.course.language import told_in
 
 EXAMPLE = "winding.py --heat-map difference.png"
 WIDTHS = 72, 100  # chosen: least and most columns of a report
@@ -61,8 +61,10 @@ def _seconds(text: str) -> float:
     except ValueError:
         seconds = 0.0
     if not 0.1 <= seconds <= MOST_SECONDS:
-        raise argparse.ArgumentTypeError(
-            f"{text!r}: expected a number from 0.1 to {MOST_SECONDS:g}"
+        raise refusal(
+            "{text!r}: expected a number from 0.1 to {most_seconds:g}",
+            text=text,
+            most_seconds=MOST_SECONDS,
         )
     return seconds
 
@@ -70,14 +72,11 @@ def _seconds(text: str) -> float:
 def run(options: argparse.Namespace) -> int:
     """Check a program and print what was found: 0 passed, 1 not, 2 could not be run."""
     language = options.lang or choose(os.environ)
-    with told_in(language):
-        return _check(options, language)
-
-
-def _check(options: argparse.Namespace, language: str) -> int:
     if options.heat_map is not None:
         if options.heat_map.suffix.lower() != ".png":
-            raise InputError(f"--heat-map {options.heat_map}: expected a name ending in .png")
+            raise InputError(
+                "--heat-map {heat_map}: expected a name ending in .png", heat_map=options.heat_map
+            )
         check_writable(options.heat_map, "--heat-map ")
     with Grader(options.seconds) as grader:
         report = grader.check(options.file)
@@ -102,7 +101,9 @@ def _check(options: argparse.Namespace, language: str) -> int:
         elif (report.difference or 0) > MOST:
             print(_(SHOWN).format(file=quoted(str(options.file))))
     if report.error is not None:
-        raise InputError(f"{options.file}: {sentence(report.error, _)}")
+        raise InputError(
+            "{file}: {sentence}", file=options.file, sentence=sentence(report.error, _)
+        )
     return 0 if report.passed else 1
 
 

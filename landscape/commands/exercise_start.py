@@ -11,7 +11,6 @@ from framelens.base.texts import marked as _
 from framelens.commands.parser import language_option
 from framelens.system import quoted
 from landscape.course.exercise import exercise, start
-from landscape.course.language import told_in
 
 EXAMPLE = "winding --out mine.py"
 
@@ -32,18 +31,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Write the program, in a file that is not there yet; return the exit status."""
     language = options.lang or choose(os.environ)
-    with told_in(language):
-        _start(options, language)
-    return 0
-
-
-def _start(options: argparse.Namespace, language: str) -> None:
     found = exercise(options.name)
     path = options.out or Path(f"{found.name}.py")
     if path.is_dir():
         path = path / f"{found.name}.py"
     if os.path.lexists(path):
-        raise InputError(f"{path}: is there already; expected --out with the name of a new file")
+        raise InputError(
+            "{path}: is there already; expected --out with the name of a new file", path=path
+        )
     check_folder(path.parent, f"--out {path}" if options.out else str(path))
     write_whole(path, start(found, language).encode())
     _ = translator(language, "course")
@@ -52,3 +47,4 @@ def _start(options: argparse.Namespace, language: str) -> None:
         file = quoted(str(path))
         print(_("The task stands at the top of it. Run it: python {file}").format(file=file))
         print(_("Check it: landscape exercise check {file}").format(file=file))
+    return 0

@@ -5,7 +5,7 @@ import os
 from pathlib import Path
 
 from framelens.base.texts import choose
-from framelens.commands.option_values import jobs, number
+from framelens.commands.option_values import jobs, number, refusal
 from framelens.commands.parser import language_option
 from framelens.system.processes import cores
 from landscape.commands.changes import given_changes, tell_of_no_effect
@@ -64,7 +64,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _within(value: float, text: str, low: float, high: float) -> float:
     if not low <= value <= high:
-        raise argparse.ArgumentTypeError(f"{text!r}: expected a number from {low:g} to {high:g}")
+        raise refusal(
+            "{text!r}: expected a number from {low:g} to {high:g}", text=text, low=low, high=high
+        )
     return value
 
 

@@ -102,11 +102,19 @@ def run(options: argparse.Namespace) -> int:
     if options.file == EXPORT:
         return export(options)
     if options.export:
-        raise InputError(f"flyover {options.file} {options.export}: expected one environment")
+        raise InputError(
+            "flyover {file} {export}: expected one environment",
+            file=options.file,
+            export=options.export,
+        )
     if not 0 < options.fps <= FASTEST:
-        raise InputError(f"--fps {options.fps:g}: expected a number above 0, up to {FASTEST:g}")
+        raise InputError(
+            "--fps {fps:g}: expected a number above 0, up to {fastest:g}",
+            fps=options.fps,
+            fastest=FASTEST,
+        )
     if options.at < 0:
-        raise InputError(f"--at {options.at:g}: expected seconds from 0")
+        raise InputError("--at {at:g}: expected seconds from 0", at=options.at)
     if options.bench and options.at:
         raise InputError("--at: not with --bench, which flies the whole path")
     if options.json is not None and not options.bench:
@@ -128,7 +136,9 @@ def run(options: argparse.Namespace) -> int:
     duration = environment.duration(values.flyover)
     if options.at >= duration:
         raise InputError(
-            f"--at {options.at:g}: expected less than the {duration:.1f} seconds of the flight"
+            "--at {at:g}: expected less than the {duration:.1f} seconds of the flight",
+            at=options.at,
+            duration=duration,
         )
 
     if options.bench:
@@ -185,7 +195,11 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
     if options.frames is None and single:
         count = 1
     if not 1 <= count <= MOST_FRAMES:
-        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+        raise InputError(
+            "--frames {count}: expected a number from 1 to {most_frames}",
+            count=count,
+            most_frames=MOST_FRAMES,
+        )
     paths = output_paths(options.out, [f"frame-{number:05}" for number in range(count)])
     jobs = crew.processes(options.jobs) if count >= SEVERAL else 1
     with Crew(terrain, jobs) as drawing, Progress(count, options.quiet) as progress:
@@ -206,7 +220,11 @@ def profile(environment: Environment, values: Settings, options: argparse.Namesp
 
     count = flyover_bench.FRAMES if options.frames is None else options.frames
     if not 1 <= count <= MOST_FRAMES:
-        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+        raise InputError(
+            "--frames {count}: expected a number from 1 to {most_frames}",
+            count=count,
+            most_frames=MOST_FRAMES,
+        )
     with Progress(count, options.quiet) as progress:
         text = flyover_profile.profile(
             environment, values, options.size or SIZE, count, progress.step
@@ -223,7 +241,11 @@ def bench(environment: Environment, values: Settings, options: argparse.Namespac
         check_writable(options.json, "--json ")
     count = flyover_bench.FRAMES if options.frames is None else options.frames
     if not 1 <= count <= MOST_FRAMES:
-        raise InputError(f"--frames {count}: expected a number from 1 to {MOST_FRAMES}")
+        raise InputError(
+            "--frames {count}: expected a number from 1 to {most_frames}",
+            count=count,
+            most_frames=MOST_FRAMES,
+        )
     rows, jobs = flyover_bench.rows(values), crew.processes(options.jobs)
     with Progress(len(rows) * count, options.quiet) as progress:
         result = flyover_bench.measure(

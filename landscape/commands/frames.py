@@ -45,8 +45,9 @@ def target(options: argparse.Namespace) -> Look:
     )
     if options.size is not None:
         raise InputError(
-            f"--size: it is for views; the window of the program {short(options.target)} has the "
-            "size that the program gives it"
+            "--size: it is for views; the window of the program {target} has the size "
+            "that the program gives it",
+            target=short(options.target),
         )
     return program_frame(options)
 
@@ -81,4 +82,4 @@ def _refuse(why: str, options: dict[str, Any]) -> None:
     """Raise InputError for the first option that was given."""
     for option, value in options.items():
         if value:
-            raise InputError(f"{option}: {why}")
+            raise InputError("{option}: {why}", option=option, why=why)

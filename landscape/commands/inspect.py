@@ -13,6 +13,10 @@ def run(options: argparse.Namespace) -> int:
     """Open the inspector over a program's window; return the exit status."""
     if not options.target.endswith(".py"):
         walk = "in `landscape walk`, I opens the inspector"
-        raise InputError(f"{short(options.target)}: expected the path of a .py program; {walk}")
+        raise InputError(
+            "{target}: expected the path of a .py program; {walk}",
+            target=short(options.target),
+            walk=walk,
+        )
     common.settle_language(options)
     return inspect.show(options)

@@ -12,8 +12,6 @@ from framelens.base.texts import marked as _
 from framelens.commands import option_values
 from framelens.commands.parser import language_option
 from framelens.gl import display
-from landscape.commands.lesson import speaking
-from landscape.course.language import told_in
 from landscape.course.lecture import texts
 from landscape.course.lecture.plan import COURSE, VIEW, Lecture, course, read
 
@@ -53,20 +51,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
-    with speaking(options.lang), told_in(options.lang or choose(os.environ)):
-        lecture = read(_file(options.file)) if options.file else course()
-        if options.list:
-            for number, title, name in texts.listed(lecture):
-                print(f"{number}  {name:18} {title}")
-            return 0
-        begin = _begin(lecture, options.begin)
-        if sys.platform == "linux":
-            kind, reason = display.choose(os.environ)
-            if not kind:
-                raise NoOpenGLError(
-                    f"there is no screen to open a window on ({reason}): use --list, or xvfb-run"
-                )
-        show(lecture, begin, options.size, options.screen)
+    lecture = read(_file(options.file)) if options.file else course()
+    if options.list:
+        for number, title, name in texts.listed(lecture):
+            print(f"{number}  {name:18} {title}")
+        return 0
+    begin = _begin(lecture, options.begin)
+    if sys.platform == "linux":
+        kind, reason = display.choose(os.environ)
+        if not kind:
+            raise NoOpenGLError(
+                "there is no screen to open a window on ({reason}): use --list, or xvfb-run",
+                reason=reason,
+            )
+    show(lecture, begin, options.size, options.screen)
     return 0
 
 
@@ -86,8 +84,10 @@ def _begin(lecture: Lecture, asked: str) -> int:
     if asked.isascii() and asked.isdigit() and 1 <= int(asked[:9]) <= len(names):
         return int(asked) - 1
     raise InputError(
-        f"--from {short(asked)}: expected the name of a step, or a number from 1 to {len(names)}; "
-        "--list lists them"
+        "--from {asked}: expected the name of a step, or a number from 1 to {count}; "
+        "--list lists them",
+        asked=short(asked),
+        count=len(names),
     )
 
 

@@ -5,8 +5,6 @@ import json
 import os
 import re
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 from framelens.base.errors import InputError, NoOpenGLError
@@ -27,7 +25,7 @@ from landscape.course.ladder import (
     presses,
     program_files,
 )
-from landscape.course.language import told_in, translated
+from landscape.course.language import translated
 from landscape.course.pages import wrapped
 
 EXAMPLE = "matrix_stack"
@@ -62,40 +60,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
-    with speaking(options.lang), told_in(options.lang or choose(os.environ)):
-        if not options.name:
-            _list(options)
-            return 0
-        chosen = lesson(options.name)
-        if options.out is not None:
-            picture(chosen, options.out, options.backend)
-            print(options.out)
-        elif options.copy is not None:
-            for path in copy(chosen, options.copy):
-                print(path)
-        elif options.inspect:
-            from framelens.inspector.program_inspector import inspect
+    if not options.name:
+        _list(options)
+        return 0
+    chosen = lesson(options.name)
+    if options.out is not None:
+        picture(chosen, options.out, options.backend)
+        print(options.out)
+    elif options.copy is not None:
+        for path in copy(chosen, options.copy):
+            print(path)
+    elif options.inspect:
+        from framelens.inspector.program_inspector import inspect
 
-            inspect(str(chosen.file), language=options.lang)
-        elif options.json:
-            print(json.dumps(chosen.as_json(), indent=1))
-        else:
-            return show(chosen)
+        inspect(str(chosen.file), language=options.lang)
+    elif options.json:
+        print(json.dumps(chosen.as_json(), indent=1))
+    else:
+        return show(chosen)
     return 0
-
-
-@contextmanager
-def speaking(language: str) -> Iterator[None]:
-    """Let the texts, and programs that are started, be in a language; "": in the user's."""
-    before = os.environ.get("LANGUAGE")
-    if language:
-        os.environ["LANGUAGE"] = language
-    try:
-        yield
-    finally:
-        os.environ.pop("LANGUAGE", None)
-        if before is not None:
-            os.environ["LANGUAGE"] = before
 
 
 def _list(options: argparse.Namespace) -> None:
@@ -122,8 +105,9 @@ def show(chosen: Lesson) -> int:
         kind, reason = display.choose(os.environ)
         if not kind:
             raise NoOpenGLError(
-                f"there is no screen to open a window on ({reason}): use --out FILE.png, or "
-                "xvfb-run"
+                "there is no screen to open a window on ({reason}): use --out FILE.png, "
+                "or xvfb-run",
+                reason=reason,
             )
     for line in chosen.about:
         print(translated(line), file=sys.stderr)
@@ -141,7 +125,7 @@ def picture(chosen: Lesson, out: Path, backend: str = "auto") -> None:
     ``out`` may also be a device or a pipe.
     """
     if out.suffix.lower() != ".png" and (out.is_file() or not out.exists()):
-        raise InputError(f"--out {out}: expected a name ending in .png")
+        raise InputError("--out {out}: expected a name ending in .png", out=out)
     check_writable(out, "--out ")
     (drawn,) = pictures(chosen.file, [chosen.frame], presses(chosen.pressed), backend)
     save_png(drawn, out)
@@ -163,7 +147,9 @@ def copy(chosen: Lesson, folder: Path) -> list[Path]:
         known[path] = {copies[path], *(_in_language(file, other) for other in others)}
     for path, contents in known.items():
         if path.exists() and (not path.is_file() or path.read_bytes() not in contents):
-            raise InputError(f"{path}: is there already, changed; expected a folder without it")
+            raise InputError(
+                "{path}: is there already, changed; expected a folder without it", path=path
+            )
     write_all({path: content for path, content in copies.items() if not path.exists()})
     return list(copies)
 

@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
     given = offscreen_options(options)
     only = tuple(name for name in (given["only"] or SPRITES) if name in SPRITES)
     if not only:
-        raise InputError(f"--only: expected some of {', '.join(SPRITES)}")
+        raise InputError("--only: expected some of {names}", names=", ".join(SPRITES))
     given |= {"only": only, "settings": given_changes(options, island)}
     with Offscreen((16, 16), place=island.name, **given) as offscreen:
         offscreen.look(island.start)

@@ -71,8 +71,10 @@ def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list
     kept = [row for row in found if sought in row["key"] or sought in row["does"].lower()]
     if not kept:
         raise InputError(
-            f"settings {word!r}: expected part of a key, a word of a description, or a group: "
-            f"{', '.join((*groups, *FLYOVER.groups()))}"
+            "settings {word!r}: expected part of a key, a word of a description, or a "
+            "group: {names}",
+            word=word,
+            names=", ".join((*groups, *FLYOVER.groups())),
         )
 
     return kept

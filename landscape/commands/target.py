@@ -75,5 +75,7 @@ class ViewFrame:
         kind, _ = find_view(self.name)
         if name not in (*kind.elements, "frame"):
             raise InputError(
-                f"--element {name!r}: expected one of {', '.join(kind.elements)}, frame"
+                "--element {name!r}: expected one of {names}, frame",
+                name=name,
+                names=", ".join(kind.elements),
             )

@@ -96,7 +96,7 @@ def run(options: argparse.Namespace) -> int:
         if options.path is not None:
             raise InputError("--pose: a walk along --path begins there; expected one of the two")
         if any(number and abs(number) > MAX_NUMBER for number in astuple(options.pose)):
-            raise InputError(f"--pose: expected numbers up to {MAX_NUMBER:g}")
+            raise InputError("--pose: expected numbers up to {max_number:g}", max_number=MAX_NUMBER)
         begin = replace(begin, pose=options.pose)
     if options.kt is not None:
         begin = replace(begin, kt=options.kt)

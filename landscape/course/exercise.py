@@ -138,7 +138,9 @@ def paragraphs(docstring: str) -> list[str]:
 def exercise(name: str) -> Exercise:
     """Return the exercise of a name; InputError lists the names."""
     if name not in NAMES:
-        raise InputError(f"{short(name)}: expected an exercise, one of {', '.join(NAMES)}")
+        raise InputError(
+            "{name}: expected an exercise, one of {names}", name=short(name), names=", ".join(NAMES)
+        )
     code = (FOLDER / name / "start.py").read_text(encoding="utf-8")
     title, *task = paragraphs(ast.get_docstring(ast.parse(code)) or "")
     named = LESSONS.search(code)
@@ -160,25 +162,37 @@ def start(found: Exercise, language: str) -> str:
 def named_in(path: Path) -> Exercise:
     """Return the exercise that a student's file is of, by its line `# exercise: NAME`."""
     if path.is_dir():
-        raise InputError(f"{path}: is a folder, expected a program written for an exercise")
+        raise InputError(
+            "{path}: is a folder, expected a program written for an exercise", path=path
+        )
     data = read_bounded(path, MOST_BYTES)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise InputError(f"{path}: is not text, expected a Python program") from None
+        raise InputError("{path}: is not text, expected a Python program", path=path) from None
 
     names = MARKER.findall(text)
     if not names:
         raise InputError(
-            f"{path}: expected a line such as `# exercise: {NAMES[0]}`, which says of which "
-            "exercise it is; `landscape exercise start` writes it"
+            "{path}: expected a line such as `# exercise: {names}`, which says of which "
+            "exercise it is; `landscape exercise start` writes it",
+            path=path,
+            names=NAMES[0],
         )
 
     if len(set(names)) > 1:
-        raise InputError(f"{path}: names two exercises, {names[0]} and {names[1]}; expected one")
+        raise InputError(
+            "{path}: names two exercises, {first} and {second}; expected one",
+            path=path,
+            first=names[0],
+            second=names[1],
+        )
     if names[0] not in NAMES:
         raise InputError(
-            f"{path}: {short(names[0])}: expected an exercise, one of {', '.join(NAMES)}"
+            "{path}: {name}: expected an exercise, one of {names}",
+            path=path,
+            name=short(names[0]),
+            names=", ".join(NAMES),
         )
 
     return exercise(names[0])
@@ -226,7 +240,11 @@ class Grader:
         if len(outcomes) > 1:
             solution = _evidence(model, outcomes[1], names["FRAMES"])
             if not isinstance(solution, Evidence):
-                raise InputError(f"{model}: the solution cannot be run here ({solution['word']})")
+                raise InputError(
+                    "{model}: the solution cannot be run here ({solution})",
+                    model=model,
+                    solution=solution["word"],
+                )
             self._solutions[found.name] = solution
 
         work = _evidence(path, outcomes[0], names["FRAMES"])

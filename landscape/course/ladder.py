@@ -127,7 +127,9 @@ class Lesson:
 def lesson(name: str) -> Lesson:
     """Return a lesson by its name; InputError if there is none of this name."""
     if name not in NAMES:
-        raise InputError(f"{short(name)}: expected a lesson; `landscape lesson` lists them")
+        raise InputError(
+            "{name}: expected a lesson; `landscape lesson` lists them", name=short(name)
+        )
     return read(LESSONS / f"{name}.py")
 
 

@@ -136,8 +136,10 @@ def check_loop(count: int) -> None:
     """Raise InputError if sending ``count`` blades one by one would take too long."""
     if count > MOST_LOOPED:
         raise InputError(
-            f"setting grass.method: expected at most {MOST_LOOPED} blades in view to be sent one "
-            f"by one, not {count}; grass.count or grass.radius may be smaller"
+            "setting grass.method: expected at most {most_looped} blades in view to be "
+            "sent one by one, not {count}; grass.count or grass.radius may be smaller",
+            most_looped=MOST_LOOPED,
+            count=count,
         )
 
 

@@ -52,8 +52,11 @@ def read_places(
     names = tuple(rows.fieldnames or ())
     if not set(NEEDED) <= set(names) <= {*NEEDED, *MORE_COLUMNS}:
         raise InputError(
-            f"{path}: expected a first line with {', '.join(NEEDED)} and perhaps "
-            f"{', '.join(MORE_COLUMNS)}, not {short(','.join(names))}"
+            "{path}: expected a first line with {columns} and perhaps {more}, not {line}",
+            path=path,
+            columns=", ".join(NEEDED),
+            more=", ".join(MORE_COLUMNS),
+            line=short(",".join(names)),
         )
 
     numbers: list[list[float]] = []
@@ -61,10 +64,14 @@ def read_places(
     try:
         for row in rows:
             if len(numbers) == MOST:
-                raise InputError(f"{path}: expected at most {MOST} lines")
+                raise InputError("{path}: expected at most {most} lines", path=path, most=MOST)
             where = f"{path}, line {rows.line_num}"
             if "more" in row or None in row.values():
-                raise InputError(f"{where}: expected {len(names)} values, separated by commas")
+                raise InputError(
+                    "{where}: expected {count} values, separated by commas",
+                    where=where,
+                    count=len(names),
+                )
             cells.append(_named(where, "kind", row["kind"], KINDS))
             picture = row.get("picture", "")
             pictures.append(_named(where, "picture", picture, PICTURES) if picture else cells[-1])
@@ -74,7 +81,9 @@ def read_places(
             tint = [_number(where, name, row.get(name) or "255", 0.0, 255.0) for name in TINT]
             numbers.append([*place, *size, flipped, *tint])
     except csv.Error as error:
-        raise InputError(f"{path}, line {rows.line_num}: {error}") from None
+        raise InputError(
+            "{path}, line {line_num}: {error}", path=path, line_num=rows.line_num, error=error
+        ) from None
 
     all_cells = np.array(cells, int)
     kept = np.isin(group_of(all_cells), sorted(kinds))
@@ -88,7 +97,13 @@ def read_places(
 def _named(where: str, name: str, text: str, known: dict[str, int]) -> int:
     """Return what a word of a column means; InputError if it is none of the known ones."""
     if text not in known:
-        raise InputError(f"{where}: {name}: expected one of {', '.join(known)}, not {short(text)}")
+        raise InputError(
+            "{where}: {name}: expected one of {names}, not {text}",
+            where=where,
+            name=name,
+            names=", ".join(known),
+            text=short(text),
+        )
     return known[text]
 
 
@@ -100,7 +115,12 @@ def _number(where: str, name: str, text: str, low: float, high: float = LARGEST)
         value = np.nan
     if not low <= value <= high:
         raise InputError(
-            f"{where}: {name}: expected a number from {low:g} to {high:g}, not {short(text)}"
+            "{where}: {name}: expected a number from {low:g} to {high:g}, not {text}",
+            where=where,
+            name=name,
+            low=low,
+            high=high,
+            text=short(text),
         )
     return value
 

@@ -30,9 +30,9 @@ class Assets:
     def __init__(self, folder: Path | None = None) -> None:
         """Look in ``folder`` before the shipped assets; InputError if that is impossible."""
         if folder is not None and not os.path.isdir(folder):
-            raise InputError(f"assets {folder}: expected a folder")
+            raise InputError("assets {folder}: expected a folder", folder=folder)
         if folder is not None and not os.access(folder, os.R_OK | os.X_OK):
-            raise InputError(f"assets {folder}: expected a folder that can be read")
+            raise InputError("assets {folder}: expected a folder that can be read", folder=folder)
         self._folders = ([folder] if folder is not None else []) + [shipped()]
 
     def has_own(self, *names: str) -> bool:
@@ -64,7 +64,9 @@ class Assets:
                 os.stat(path)
                 return path
             except PermissionError:
-                raise InputError(f"{where}{name}: cannot be read (Permission denied)") from None
+                raise InputError(
+                    "{where}{name}: cannot be read (Permission denied)", where=where, name=name
+                ) from None
             except (OSError, ValueError):
                 continue
-        raise InputError(f"{where}{name}: no such file")
+        raise InputError("{where}{name}: no such file", where=where, name=name)

@@ -7,7 +7,7 @@ from typing import BinaryIO
 import numpy as np
 from PIL import Image
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, reason
 from framelens.base.input import check_plain
 from landscape.files.cache import content, recall
 
@@ -53,13 +53,17 @@ def open_image(path: Path) -> Image.Image:
         with path.open("rb") as file:
             return decoded_image(file, str(path))
     except FileNotFoundError:
-        raise InputError(f"{path}: no such image file") from None
+        raise InputError("{path}: no such image file", path=path) from None
     except IsADirectoryError:
-        raise InputError(f"{path}: expected an image file, found a folder") from None
+        raise InputError("{path}: expected an image file, found a folder", path=path) from None
     except PermissionError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+        raise InputError(
+            "{path}: cannot be read ({reason})", path=path, reason=reason(error)
+        ) from None
     except OSError as error:
-        raise InputError(f"{path}: expected an image such as PNG ({error})") from None
+        raise InputError(
+            "{path}: expected an image such as PNG ({error})", path=path, error=error
+        ) from None
 
 
 def decoded_image(file: BinaryIO, name: str) -> Image.Image:
@@ -77,11 +81,15 @@ def decoded_image(file: BinaryIO, name: str) -> Image.Image:
                 image = image.convert("RGBA" if "transparency" in image.info else "RGB")
     except Image.DecompressionBombError:
         most = f"{MOST_PIXELS // 10**6} megapixels"
-        raise InputError(f"{name}: the image is too large; expected at most {most}") from None
+        raise InputError(
+            "{name}: the image is too large; expected at most {most}", name=name, most=most
+        ) from None
     except Exception as error:
         # A decoder may raise any kind of exception: all of them mean a damaged file.
         reason = str(error).split(" <_io")[0].split(f" {name!r}")[0] or type(error).__name__
-        raise InputError(f"{name}: expected an image such as PNG ({reason})") from None
+        raise InputError(
+            "{name}: expected an image such as PNG ({reason})", name=name, reason=reason
+        ) from None
 
     return image
 

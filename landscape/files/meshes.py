@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, reason
 from framelens.base.input import check_plain, read_bounded
 from landscape.files.cache import content, recall
 from landscape.files.other_meshes import MOST_TRIANGLES, MOST_VERTICES, read_by_trimesh
@@ -61,7 +61,9 @@ def _check_file(path: Path) -> None:
     try:
         check_plain(path, MOST_BYTES)
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+        raise InputError(
+            "{path}: cannot be read ({reason})", path=path, reason=reason(error)
+        ) from None
 
 
 def checked(
@@ -69,11 +71,11 @@ def checked(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the mesh, triangles as uint32; InputError if it has no faces, NaN or wrong indices."""
     if len(triangles) == 0:
-        raise InputError(f"{path}: expected a mesh with faces, found none")
+        raise InputError("{path}: expected a mesh with faces, found none", path=path)
     if not np.isfinite(vertices).all():
-        raise InputError(f"{path}: expected finite coordinates, found NaN or infinity")
+        raise InputError("{path}: expected finite coordinates, found NaN or infinity", path=path)
     if triangles.min() < 0 or triangles.max() >= len(vertices):
-        raise InputError(f"{path}: a face names a vertex that does not exist")
+        raise InputError("{path}: a face names a vertex that does not exist", path=path)
     return vertices, np.ascontiguousarray(triangles, np.uint32)
 
 
@@ -103,7 +105,9 @@ def _read_ply(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     try:
         return parse_ply(data)
     except ValueError as error:
-        raise InputError(f"{path}: expected a whole PLY mesh ({error})") from None
+        raise InputError(
+            "{path}: expected a whole PLY mesh ({error})", path=path, error=error
+        ) from None
 
 
 @dataclass(frozen=True)

@@ -43,7 +43,9 @@ def read_by_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
         if ended.status is not None and ended.status > 0:
             raise _damaged(path, ended.message or "no reason") from None
         allowed = f"{MOST_SECONDS} s and {amount(MOST_MEGABYTES << 20)}"
-        raise InputError(f"{path}: expected a mesh read in {allowed}") from None
+        raise InputError(
+            "{path}: expected a mesh read in {allowed}", path=path, allowed=allowed
+        ) from None
     except MemoryError:
         raise _damaged(path, f"it needs more than {MOST_MEGABYTES} MB of memory") from None
     except DamagedMesh as error:
@@ -51,7 +53,7 @@ def read_by_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _damaged(path: Path, reason: str) -> InputError:
-    return InputError(f"{path}: expected a whole mesh ({reason[:100]})")
+    return InputError("{path}: expected a whole mesh ({reason})", path=path, reason=reason[:100])
 
 
 def read(path: str, most_vertices: int, most_triangles: int) -> tuple[np.ndarray, np.ndarray]:

@@ -78,7 +78,10 @@ def fetch(destination: Path, base_url: str = BASE_URL, quiet: bool = False) -> l
     """
     destination = Path(destination)
     if urllib.parse.urlsplit(base_url).scheme not in ("http", "https"):
-        raise InputError(f"{base_url}: expected an address that begins with http:// or https://")
+        raise InputError(
+            "{base_url}: expected an address that begins with http:// or https://",
+            base_url=base_url,
+        )
     check_output_folder(destination)
     paths = [destination / scan.file for scan in SCANS]
     for path in paths:
@@ -139,17 +142,28 @@ def download(scan: Scan, url: str, quiet: bool = False) -> bytes:
         raise
     except urllib.error.HTTPError as error:
         error.close()
-        raise InputError(f"{url}: the server answered {error.code} {error.reason}") from None
+        raise InputError(
+            "{url}: the server answered {code} {reason}",
+            url=url,
+            code=error.code,
+            reason=error.reason,
+        ) from None
     except urllib.error.URLError as error:
-        raise InputError(f"{url}: no connection ({error.reason})") from error
+        raise InputError("{url}: no connection ({reason})", url=url, reason=error.reason) from error
     except TimeoutError as error:
-        raise InputError(f"{url}: no data for {TIMEOUT_S:g} s") from error
+        raise InputError(
+            "{url}: no data for {timeout_s:g} s", url=url, timeout_s=TIMEOUT_S
+        ) from error
     except (OSError, http.client.HTTPException) as error:
-        raise InputError(f"{url}: the connection broke ({error!r})") from error
+        raise InputError("{url}: the connection broke ({error!r})", url=url, error=error) from error
     except (tarfile.TarError, EOFError, zlib.error) as error:
-        raise InputError(f"{url}: not a whole .tar.gz archive ({error})") from error
+        raise InputError(
+            "{url}: not a whole .tar.gz archive ({error})", url=url, error=error
+        ) from error
     except ValueError as error:
-        raise InputError(f"{url}: {scan.member}: {error}") from error
+        raise InputError(
+            "{url}: {member}: {error}", url=url, member=scan.member, error=error
+        ) from error
 
     return data
 
@@ -176,7 +190,12 @@ class _Body:
             chunk = error.partial
         self._received += len(chunk)
         if not chunk and self._total is not None and self._received < self._total:
-            raise InputError(f"{self._url}: cut off after {self._received} of {self._total} bytes")
+            raise InputError(
+                "{url}: cut off after {received} of {total} bytes",
+                url=self._url,
+                received=self._received,
+                total=self._total,
+            )
         self._progress.reach(self._received)
         return chunk
 
@@ -187,12 +206,16 @@ def _member(body: _Body, url: str, wanted: str) -> bytes:
         for info in archive:
             path = PurePosixPath(info.name)
             if path.is_absolute() or ".." in path.parts or "\\" in info.name:
-                raise InputError(f"{url}: refused, it holds the path {info.name!r}")
+                raise InputError(
+                    "{url}: refused, it holds the path {name!r}", url=url, name=info.name
+                )
             if path != PurePosixPath(wanted):
                 continue
             if not info.isreg() or info.size > MAX_MEMBER_BYTES:
-                raise InputError(f"{url}: {wanted} is not a file of a sensible size")
+                raise InputError(
+                    "{url}: {wanted} is not a file of a sensible size", url=url, wanted=wanted
+                )
             stream = archive.extractfile(info)
             assert stream is not None  # because it is a regular file
             return stream.read()
-    raise InputError(f"{url}: holds no {wanted}")
+    raise InputError("{url}: holds no {wanted}", url=url, wanted=wanted)

@@ -54,7 +54,7 @@ def drawn(
     """
     resvg = rasteriser()
     if resvg is None:
-        raise InputError(f"{path}: a map drawn with shapes: {EXTRA}")
+        raise InputError("{path}: a map drawn with shapes: {extra}", path=path, extra=EXTRA)
     root = ElementTree.fromstring(read_bounded(path, MOST_BYTES))
     for parent in list(root.iter()):
         for child in list(parent):
@@ -87,7 +87,7 @@ def drawn(
             skip_system_fonts=True,
         )
     except ValueError as error:
-        raise InputError(f"{path}: cannot be drawn ({error})") from None
+        raise InputError("{path}: cannot be drawn ({error})", path=path, error=error) from None
 
     return decoded_image(io.BytesIO(bytes(data)), f"{path}: its picture").convert("RGB")
 

@@ -81,7 +81,10 @@ class Found:
         """Return a text that is to be read; InputError where all of them are too long."""
         self.characters += len(text)
         if self.characters > MOST_TEXT:
-            raise InputError(f"expected at most {MOST_TEXT} characters of paths and transforms")
+            raise InputError(
+                "expected at most {most_text} characters of paths and transforms",
+                most_text=MOST_TEXT,
+            )
         return text
 
 
@@ -98,22 +101,31 @@ def _read(path: Path) -> SvgEnvironment:
     with _named(path):
         _collect(root, Place(np.eye(3), (0.0, 0.0)), found)
     if not found.layer:
-        raise InputError(f'{path}: expected a layer "{CAMERA}", with the camera\'s path')
+        raise InputError(
+            '{path}: expected a layer "{camera}", with the camera\'s path', path=path, camera=CAMERA
+        )
     if not found.subpaths:
         hint = "; a clone must be unlinked first" if found.clones else ""
         raise InputError(
-            f'{path}: expected a path of more than one point on the layer "{CAMERA}"{hint}'
+            '{path}: expected a path of more than one point on the layer "{camera}"{hint}',
+            path=path,
+            camera=CAMERA,
+            hint=hint,
         )
 
     if found.image is None and not found.shapes:
-        raise InputError(f"{path}: expected the height image, embedded or linked")
+        raise InputError("{path}: expected the height image, embedded or linked", path=path)
     image, to_pixels, notices = _map(path, found)
     with _named(path):
         subpaths = tuple(_moved(to_pixels, curves) for curves in found.subpaths)
         targets = _moved(to_pixels, np.array(found.targets, np.float64).reshape(-1, 2))
     for places in (*subpaths, targets):
         if np.abs(places).max(initial=0.0) > FARTHEST:
-            raise InputError(f"{path}: expected coordinates of at most {FARTHEST:.0e} pixels")
+            raise InputError(
+                "{path}: expected coordinates of at most {farthest:.0e} pixels",
+                path=path,
+                farthest=FARTHEST,
+            )
     return SvgEnvironment(path.stem, _over_white(image), subpaths, targets, notices)
 
 
@@ -175,7 +187,7 @@ def _named(path: Path) -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        raise InputError(f"{path}: {error}") from None
+        raise InputError("{path}: {error}", path=path, error=error) from None
 
 
 def _collect(element: Element, around: Place, found: Found) -> None:
@@ -224,7 +236,7 @@ def _collect(element: Element, around: Place, found: Found) -> None:
 
     if found.curves > MOST_CURVES or len(found.targets) > MOST_TARGETS:
         most = f"{MOST_CURVES} nodes and {MOST_TARGETS} points to look at"
-        raise InputError(f"expected at most {most}")
+        raise InputError("expected at most {most}", most=most)
 
 
 def _length(element: Element, name: str, whole: float, default: float) -> float:
@@ -239,7 +251,12 @@ def _length(element: Element, name: str, whole: float, default: float) -> float:
     except (TypeError, ValueError):
         value = np.nan
     if not np.isfinite(value) or text[:1] not in "+-.0123456789":
-        raise InputError(f"<{element.tag}>, {name}: expected a length, not {short(text)}")
+        raise InputError(
+            "<{tag}>, {name}: expected a length, not {text}",
+            tag=element.tag,
+            name=name,
+            text=short(text),
+        )
     return value
 
 
@@ -253,7 +270,7 @@ def _transform(text: str) -> np.ndarray:
         m = Matrix(text)
         matrix = np.array([[m.a, m.c, m.e], [m.b, m.d, m.f], [0, 0, 1]], np.float64)
     except (ArithmeticError, IndexError, TypeError, ValueError):
-        raise InputError(f"expected a transform, not {short(text)}") from None
+        raise InputError("expected a transform, not {text}", text=short(text)) from None
     return matrix
 
 
@@ -343,9 +360,11 @@ def _subpaths(data: str) -> list[np.ndarray]:
     from svgelements import Path as PathData
 
     if not PATH_DATA.fullmatch(data):
-        raise InputError(f"expected the data of a path, not {short(data)}")
+        raise InputError("expected the data of a path, not {data}", data=short(data))
     if data.lower().count("z") > MOST_CLOSED:
-        raise InputError(f"expected a path with at most {MOST_CLOSED} closed parts")
+        raise InputError(
+            "expected a path with at most {most_closed} closed parts", most_closed=MOST_CLOSED
+        )
     found: list[list[np.ndarray]] = []
     try:
         for segment in PathData(data):
@@ -354,7 +373,7 @@ def _subpaths(data: str) -> list[np.ndarray]:
             else:
                 found[-1] += _cubics(segment)
     except (ArithmeticError, AttributeError, IndexError, TypeError, ValueError):
-        raise InputError(f"expected the data of a path, not {short(data)}") from None
+        raise InputError("expected the data of a path, not {data}", data=short(data)) from None
     moving = [np.array(curves) for curves in found if curves]
     return [each for each in moving if np.ptp(each.reshape(-1, 2), axis=0).any()]
 
@@ -401,7 +420,7 @@ def _image(path: Path, link: str) -> Image.Image:
         except ValueError:
             embedded = b""
         if not embedded:
-            raise InputError(f"{path}: <image>: expected data in base64")
+            raise InputError("{path}: <image>: expected data in base64", path=path)
         return decoded_image(io.BytesIO(embedded), f"{path}: embedded image")
 
     name = unquote(link.strip().removeprefix("file://"))
@@ -411,14 +430,15 @@ def _image(path: Path, link: str) -> Image.Image:
     target = os.path.abspath(os.path.join(folder, name))
     if not name or "\0" in name or not target.startswith(os.path.join(folder, "")):
         raise InputError(
-            f"{path}: <image>: expected an embedded image or a file in the same folder, not "
-            f"{short(link)}"
+            "{path}: <image>: expected an embedded image or a file in the same folder, not {link}",
+            path=path,
+            link=short(link),
         )
 
     try:
         return open_image(Path(target))
     except InputError as error:
-        raise InputError(f"{path}: linked image {error}") from None
+        raise InputError("{path}: linked image {error}", path=path, error=error) from None
 
 
 def _over_white(image: Image.Image) -> np.ndarray:

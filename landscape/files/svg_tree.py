@@ -63,7 +63,7 @@ def read_tree(path: Path) -> Element:
     """Read an SVG file; InputError, one line, if it is none or more than any drawing should be."""
     data = read_bounded(path, MOST_BYTES)
     if data[:2] == b"\x1f\x8b":
-        raise InputError(f"{path}: compressed; expected a plain SVG file")
+        raise InputError("{path}: compressed; expected a plain SVG file", path=path)
     builder = _Builder(str(path))
     # Names come as "namespace name".
     parser = expat.ParserCreate(None, " ")
@@ -74,9 +74,11 @@ def read_tree(path: Path) -> Element:
     try:
         parser.Parse(data, True)
     except (expat.ExpatError, LookupError, UnicodeError) as error:
-        raise InputError(f"{path}: expected an SVG file ({error})") from None
+        raise InputError("{path}: expected an SVG file ({error})", path=path, error=error) from None
     if builder.root is None:
-        raise InputError(f"{path}: expected an SVG file, with <svg> as its outermost element")
+        raise InputError(
+            "{path}: expected an SVG file, with <svg> as its outermost element", path=path
+        )
     return builder.root
 
 
@@ -92,15 +94,20 @@ class _Builder:
     def doctype(self, name: str, system: str | None, public: str | None, inside: bool) -> None:
         """Accept a mere <!DOCTYPE svg PUBLIC ...>, which is not read, but no declarations."""
         if inside:
-            raise InputError(f"{self._name}: expected an SVG file without declarations in a DTD")
+            raise InputError(
+                "{name}: expected an SVG file without declarations in a DTD", name=self._name
+            )
 
     def start(self, name: str, given: dict[str, str]) -> None:
         """Begin an element."""
         self._count += 1
         if len(self._open) >= MOST_DEPTH or self._count > MOST_ELEMENTS:
             raise InputError(
-                f"{self._name}: too large, expected at most {MOST_ELEMENTS} elements, and "
-                f"{MOST_DEPTH} one in another"
+                "{name}: too large, expected at most {most_elements} elements, and "
+                "{most_depth} one in another",
+                name=self._name,
+                most_elements=MOST_ELEMENTS,
+                most_depth=MOST_DEPTH,
             )
         tag = name.rpartition(" ")[2]
         parent = self._open[-1] if self._open else None

@@ -51,20 +51,30 @@ def check(out: Path, size: tuple[int, int], fps: Fraction) -> None:
     """
     ending = out.suffix.lower()
     if ending not in ENDINGS:
-        raise InputError(f"--out {out}: expected a name that ends in {', '.join(ENDINGS)}")
+        raise InputError(
+            "--out {out}: expected a name that ends in {names}", out=out, names=", ".join(ENDINGS)
+        )
     check_writable(out, "--out ")
     if out.exists() and not out.is_file():
-        raise InputError(f"--out {out}: expected a file, not a device or a pipe")
+        raise InputError("--out {out}: expected a file, not a device or a pipe", out=out)
     if ending == ".gif":
         if fps > FASTEST:
-            raise InputError(f"--fps {float(fps):g}: a GIF has at most {FASTEST:g}")
+            raise InputError(
+                "--fps {float:g}: a GIF has at most {fastest:g}", float=float(fps), fastest=FASTEST
+            )
         if max(size) > MOST_OF_GIF:
-            raise InputError(f"--size: a GIF has at most {MOST_OF_GIF} pixels a side")
+            raise InputError(
+                "--size: a GIF has at most {most_of_gif} pixels a side", most_of_gif=MOST_OF_GIF
+            )
         return
 
     if size[0] % 2 or size[1] % 2:
         text = f"{size[0]}x{size[1]}"
-        raise InputError(f"--size {text}: expected an even width and height for {ending}")
+        raise InputError(
+            "--size {text}: expected an even width and height for {ending}",
+            text=text,
+            ending=ending,
+        )
     _av(out)
 
 
@@ -75,7 +85,10 @@ def _av(out: Path) -> ModuleType:
     except ImportError:
         add = how_to_add("av", extra="film")
         raise InputError(
-            f"--out {out}: {out.suffix} needs PyAV: run `{add}`, or name a file .gif"
+            "--out {out}: {suffix} needs PyAV: run `{add}`, or name a file .gif",
+            out=out,
+            suffix=out.suffix,
+            add=add,
         ) from None
     return av
 
@@ -181,4 +194,6 @@ class _Named:
     def __exit__(self, kind: Any, error: BaseException | None, traceback: Any) -> None:
         if isinstance(error, self._error):
             reason = getattr(error, "strerror", None) or str(error)
-            raise InputError(f"{self._name}: cannot be written ({reason})") from None
+            raise InputError(
+                "{name}: cannot be written ({reason})", name=self._name, reason=reason
+            ) from None

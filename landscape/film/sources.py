@@ -84,10 +84,12 @@ def film_of(words: Sequence[str], wanted: Wanted) -> Film:
         word for word in words if word == TOUR or is_drawing(word, wanted) or is_recording(word)
     ]
     if alone and len(words) > 1:
-        raise InputError(f"{alone[0]}: expected to be the only source; only views can be several")
+        raise InputError(
+            "{alone}: expected to be the only source; only views can be several", alone=alone[0]
+        )
     word = words[0]
     if wanted.scene and not is_drawing(word, wanted):
-        raise InputError(f"--scene {wanted.scene}: only a path has none of its own")
+        raise InputError("--scene {scene}: only a path has none of its own", scene=wanted.scene)
     ending = 0.0
     if word == TOUR:
         from landscape.film.tour import ENDING, parts
@@ -103,7 +105,12 @@ def film_of(words: Sequence[str], wanted: Wanted) -> Film:
         found = _through(words, wanted)
     film = Film(tuple(found), wanted.drawing, wanted.rate, ending)
     if film.frames > MOST_FRAMES:
-        raise InputError(f"{word}: {film.frames} frames, expected at most {MOST_FRAMES}")
+        raise InputError(
+            "{word}: {frames} frames, expected at most {most_frames}",
+            word=word,
+            frames=film.frames,
+            most_frames=MOST_FRAMES,
+        )
     return film
 
 
@@ -185,7 +192,9 @@ def _recorded(path: Path, wanted: Wanted) -> Recorded:
     }
     for option, value in given.items():
         if value:
-            raise InputError(f"{option}: {path} is a recording, which has its own")
+            raise InputError(
+                "{option}: {path} is a recording, which has its own", option=option, path=path
+            )
     plan, ticks = read(path)
     seconds = sum(tick.seconds for tick in ticks)
     if wanted.seconds is not None:

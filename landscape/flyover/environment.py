@@ -83,7 +83,11 @@ def open_environment(file: str | Path, any_size: bool = False) -> Environment:
             return Environment(ISLAND, island.image() / WHITE16, (island.path(),), island.targets())
         path = shipped() / f"{PREFIX}{file}.svg"
     elif path.suffix.lower() != ".svg":
-        raise InputError(f"{file}: expected a file that ends in .svg, or one of {', '.join(NAMES)}")
+        raise InputError(
+            "{file}: expected a file that ends in .svg, or one of {names}",
+            file=file,
+            names=", ".join(NAMES),
+        )
     found = read(path)
     environment = Environment(str(file), found.image, found.subpaths, found.targets, found.notices)
     return checked(environment, any_size, path)
@@ -94,7 +98,9 @@ def checked(environment: Environment, any_size: bool, path: Path | str = "") -> 
     path = path or environment.name
     check_image(environment.image, f"{path}: height image", any_size)
     if environment.path.length < SHORTEST:
-        raise InputError(f"{path}: expected a path of at least {SHORTEST:g} pixel")
+        raise InputError(
+            "{path}: expected a path of at least {shortest:g} pixel", path=path, shortest=SHORTEST
+        )
     flown = environment.path.at(np.linspace(0, environment.path.length, 100_000))
     for places, what in ((flown, "the path"), (environment.targets, "a point to look at")):
         height, width = environment.image.shape
@@ -107,7 +113,12 @@ def checked(environment: Environment, any_size: bool, path: Path | str = "") -> 
                 else (f"x from 0 to {width} and y from 0 to {height}")
             )
             raise InputError(
-                f"{path}: {what} is outside the map: expected {ends} pixels, not {x:.6g}, {y:.6g}"
+                "{path}: {what} is outside the map: expected {ends} pixels, not {x:.6g}, {y:.6g}",
+                path=path,
+                what=what,
+                ends=ends,
+                x=x,
+                y=y,
             )
 
     return environment
@@ -119,6 +130,6 @@ def export_island(path: Path) -> None:
     InputError if it cannot be written, or its name does not end in .svg: it could not be opened.
     """
     if path.suffix.lower() != ".svg":
-        raise InputError(f"{path}: expected a name that ends in .svg")
+        raise InputError("{path}: expected a name that ends in .svg", path=path)
     text = environment_text(island.image(), [island.path()], island.targets())
     write_whole(path, text.encode())

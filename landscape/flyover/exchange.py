@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, reason
 from framelens.base.input import read_bounded
 from framelens.base.output import write_whole
 from landscape.files.images import open_image, red_values
@@ -43,7 +43,7 @@ def write(environment: Environment, settings: Flyover, folder: Path, fps: float)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"{folder}: {error.strerror}") from None
+        raise InputError("{folder}: {reason}", folder=folder, reason=reason(error)) from None
     contents = {
         COARSE: encoded(np.rint(environment.image).astype(np.uint8), "BMP"),
         FINE: encoded(np.rint(environment.image * WHITE16).astype(np.uint16), "PNG"),
@@ -85,7 +85,9 @@ def read(folder: Path, any_size: bool = False) -> Environment:
     """Return the environment in a folder; InputError, one line, where something is missing."""
     image = next((folder / name for name in (FINE, COARSE) if (folder / name).exists()), None)
     if image is None:
-        raise InputError(f"{folder}: expected {FINE} or {COARSE} in it")
+        raise InputError(
+            "{folder}: expected {fine} or {coarse} in it", folder=folder, fine=FINE, coarse=COARSE
+        )
     heights = red_values(open_image(image))
     subpaths, targets = curves_in(folder / PATH)
     return checked(Environment(str(folder), heights, subpaths, targets), any_size)

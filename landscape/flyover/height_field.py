@@ -184,7 +184,11 @@ def check_image(image: np.ndarray, name: str, any_size: bool = False) -> None:
     """Raise InputError unless an array is a height image; ``any_size``: not only powers of two."""
     found = np.asarray(image)
     if found.ndim != 2 or found.dtype.kind not in "uif":
-        raise InputError(f"{name}: expected one number for each pixel, not {short(found.shape)}")
+        raise InputError(
+            "{name}: expected one number for each pixel, not {shape}",
+            name=name,
+            shape=short(found.shape),
+        )
     rows, columns = found.shape
     sides = (rows, columns)
     fits = all(2 <= side <= MOST_SIDE for side in sides)
@@ -192,11 +196,15 @@ def check_image(image: np.ndarray, name: str, any_size: bool = False) -> None:
         nearest = [n for n in nearest_sides(max(sides)) if 2 <= n <= MOST_SIDE]
         sizes = " or ".join(f"{n}x{n}" for n in nearest)
         raise InputError(
-            f"{name}: expected an image whose sides are powers of two, such as {sizes}, not "
-            f"{columns}x{rows}; flyover.resolution samples any other again"
+            "{name}: expected an image whose sides are powers of two, such as {sizes}, "
+            "not {columns}x{rows}; flyover.resolution samples any other again",
+            name=name,
+            sizes=sizes,
+            columns=columns,
+            rows=rows,
         )
     if found.dtype.kind == "f" and not np.isfinite(found).all():
-        raise InputError(f"{name}: expected finite heights")
+        raise InputError("{name}: expected finite heights", name=name)
 
 
 def nearest_sides(side: int) -> tuple[int, ...]:

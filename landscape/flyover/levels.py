@@ -95,8 +95,11 @@ def levels(field: HeightField, camera: Camera, volume: Frustum, settings: Flyove
         if across > math.sqrt(MOST_TILES):
             most = math.sqrt(MOST_TILES) * tile / 2 * far / reach
             raise InputError(
-                f"setting flyover.far_undetailed: expected at most {most:.0f} with this frustum and"
-                f" flyover.unit={field.unit:g}, not {far:g}"
+                "setting flyover.far_undetailed: expected at most {most:.0f} with this "
+                "frustum and flyover.unit={unit:g}, not {far:g}",
+                most=most,
+                unit=field.unit,
+                far=far,
             )
         return Levels(patch, 0.0, 1.0, reach, coarsest, 0.0)
 

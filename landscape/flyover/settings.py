@@ -265,19 +265,25 @@ def check(settings: Settings) -> None:
     for low, high in (("left", "right"), ("bottom", "top"), ("near", "far")):
         if getattr(ours, low) >= getattr(ours, high):
             raise InputError(
-                f"setting flyover.{low}: expected less than flyover.{high} "
-                f"({getattr(ours, high):g}), not {getattr(ours, low):g}"
+                "setting flyover.{low}: expected less than flyover.{high} ({most:g}), "
+                "not {value:g}",
+                low=low,
+                high=high,
+                most=getattr(ours, high),
+                value=getattr(ours, low),
             )
 
     if ours.resolution == 1 or ours.resolution & (ours.resolution - 1):
         raise InputError(
-            "setting flyover.resolution: expected 0 or a power of two from 2, not "
-            f"{ours.resolution}"
+            "setting flyover.resolution: expected 0 or a power of two from 2, not {resolution}",
+            resolution=ours.resolution,
         )
 
     least = LEAST_DENSITY * int(ours.patch)
     if ours.detail and ours.density < least:
         raise InputError(
-            f"setting flyover.density: expected at least {least:g}, three times flyover.patch, "
-            f"not {ours.density:g}"
+            "setting flyover.density: expected at least {least:g}, three times "
+            "flyover.patch, not {density:g}",
+            least=least,
+            density=ours.density,
         )

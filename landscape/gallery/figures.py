@@ -64,7 +64,7 @@ def gallery(names: list[str]) -> Gallery:
         return Gallery(kind.name, "webp", panels, of_scene, QUALITY[kind.name])
     for name in names:
         if name in (*VIEW_TEXTS, flyover_page.NAME):
-            raise InputError(f"figures {name!r}: expected no other names beside it")
+            raise InputError("figures {name!r}: expected no other names beside it", name=name)
     return Gallery("", "png", named_panels(names), page.page)
 
 

@@ -138,7 +138,9 @@ def named_panels(names: list[str]) -> list[FigurePanel]:
             if name in (panel.name, panel.figure.rstrip("ab")) or figure == panel.figure
         ]
         if not match:
-            raise InputError(f"figures {name!r}: expected a figure such as 35, fig35a or R6")
+            raise InputError(
+                "figures {name!r}: expected a figure such as 35, fig35a or R6", name=name
+            )
         found += [panel for panel in match if panel not in found]
     return found
 

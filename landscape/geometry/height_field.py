@@ -138,9 +138,13 @@ def height_field(image: np.ndarray, settings: GroundSettings, water_level: float
         side = (settings.resolution - 1) * settings.subdivide + 1
         if side > MOST_VERTICES:
             raise InputError(
-                f"setting ground.subdivide: expected at most {MOST_VERTICES} vertices a side, not "
-                f"the {side} that ground.resolution={settings.resolution} and "
-                f"ground.subdivide={settings.subdivide} make"
+                "setting ground.subdivide: expected at most {most_vertices} vertices a "
+                "side, not the {side} that ground.resolution={resolution} and "
+                "ground.subdivide={subdivide} make",
+                most_vertices=MOST_VERTICES,
+                side=side,
+                resolution=settings.resolution,
+                subdivide=settings.subdivide,
             )
         heights = smoothed(heights, settings.subdivide, settings.smooth)
 

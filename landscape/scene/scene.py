@@ -273,7 +273,11 @@ class Scene:
         wanted = self.elements if names is None else tuple(names)
         for name in wanted:
             if name not in self.elements:
-                raise InputError(f"only {short(name)}: expected some of {', '.join(self.elements)}")
+                raise InputError(
+                    "only {name}: expected some of {names}",
+                    name=short(name),
+                    names=", ".join(self.elements),
+                )
         return tuple(name for name in self.elements if name in wanted)
 
     def shown(self, view: View, only: Iterable[str] | None = None) -> tuple[str, ...]:
@@ -286,7 +290,9 @@ def scene(name: str = "") -> Scene:
     """Return a scene by name, the first of the list without one; InputError if there is none."""
     name = name or next(iter(SCENES))
     if name not in SCENES:
-        raise InputError(f"scene {name!r}: expected one of {', '.join(SCENES)}")
+        raise InputError(
+            "scene {name!r}: expected one of {names}", name=name, names=", ".join(SCENES)
+        )
     found: Scene = import_module(SCENES[name]).SCENE
     return found
 
@@ -325,7 +331,11 @@ def find_view(name: str) -> tuple[Scene, View]:
     names = [each for kind in kinds for each in (*kind.views, *(fix.name for fix in kind.fixes))]
     close = [each for each in names if name and each.lower().startswith(name.lower())][:CLOSE]
     meant = f", but {' and '.join(close)}" if close else ""
-    raise InputError(f"view {short(name)}: no such view{meant}; `landscape views` lists them all")
+    raise InputError(
+        "view {name}: no such view{meant}; `landscape views` lists them all",
+        name=short(name),
+        meant=meant,
+    )
 
 
 def without_effect(

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from framelens.base.arguments import plain
-from framelens.base.errors import InputError, short
+from framelens.base.errors import InputError, Message, short
 from framelens.base.input import read_bounded
 
 MOST_TOML = 128 << 10  # bytes, chosen: all settings with a long comment each take a third of it
@@ -144,7 +144,9 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
         laid |= known[key].metadata["tables"][_checked(key, known[key], wanted[key])]
     for key, value in (laid | wanted).items():
         if key not in known:
-            raise InputError(f"setting {key!r}: no such key; `landscape settings` lists them all")
+            raise InputError(
+                "setting {key!r}: no such key; `landscape settings` lists them all", key=key
+            )
         checked = _checked(key, known[key], value)
         group, _, name = key.partition(".")
         if name:
@@ -175,7 +177,9 @@ def passing(settings: Settings, defaults: Settings, changes: Mapping[str, Any]) 
 def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name: str) -> Settings:
     """Return settings with a preset's differences; InputError if there is none of that name."""
     if not isinstance(name, str) or name not in presets:
-        raise InputError(f"preset {short(name)}: expected one of {', '.join(presets)}")
+        raise InputError(
+            "preset {name}: expected one of {names}", name=short(name), names=", ".join(presets)
+        )
     return with_settings(defaults, presets[name])
 
 
@@ -186,7 +190,8 @@ def flattened(changes: Any) -> dict[str, Any]:
     """
     if not isinstance(changes, Mapping):
         raise InputError(
-            f'settings {short(changes)}: expected a mapping such as {{"fog.density": 0.05}}'
+            'settings {changes}: expected a mapping such as {{"fog.density": 0.05}}',
+            changes=short(changes),
         )
 
     flat: dict[str, Any] = {}
@@ -195,7 +200,7 @@ def flattened(changes: Any) -> dict[str, Any]:
         for each in (key, *group):
             if not isinstance(each, str):
                 raise InputError(
-                    f"settings: key {short(each)}: expected a string such as fog.density"
+                    "settings: key {name}: expected a string such as fog.density", name=short(each)
                 )
         inner = {f"{key}.{name}": each for name, each in group.items()}
         flat |= inner if isinstance(value, Mapping) else {key: value}
@@ -246,7 +251,9 @@ def read_toml(path: Path) -> dict[str, Any]:
             raise ValueError(f"a line of more than {LONGEST_LINE} characters")
         tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # TOMLDecodeError and UnicodeDecodeError as well
-        raise InputError(f"{path}: expected a TOML file of settings ({error})") from error
+        raise InputError(
+            "{path}: expected a TOML file of settings ({error})", path=path, error=error
+        ) from error
 
     flat: dict[str, Any] = {}
     for group, table in tables.items():
@@ -255,7 +262,9 @@ def read_toml(path: Path) -> dict[str, Any]:
         elif isinstance(table, dict):
             flat |= {f"{group}.{name}": value for name, value in table.items()}
         else:
-            raise InputError(f"{path}: {group}: expected a table such as [fog] or [grass]")
+            raise InputError(
+                "{path}: {group}: expected a table such as [fog] or [grass]", path=path, group=group
+            )
 
     return flat
 
@@ -263,7 +272,12 @@ def read_toml(path: Path) -> dict[str, Any]:
 def _checked(key: str, item: Field, given: Any) -> Value:
     """Convert a value that was given to the type of the key's default, and check its limits."""
     meta, default = item.metadata, item.default
-    wrong = InputError(f"setting {key}: expected {expected(item)}, not {short(given)}")
+    wrong = InputError(
+        "setting {key}: expected {expected}, not {value}",
+        key=key,
+        expected=expected(item),
+        value=short(given),
+    )
     value = plain(given)
     if isinstance(default, bool):
         if isinstance(value, str):
@@ -315,19 +329,25 @@ def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) 
     return number
 
 
-def expected(item: Field) -> str:
+def expected(item: Field) -> Message:
     """Say in words what values a setting takes."""
     meta, default = item.metadata, item.default
     if isinstance(default, bool):
-        return "true or false"
+        return Message("true or false")
     if meta["choices"]:
-        return "one of " + ", ".join(meta["choices"])
+        return Message("one of {choices}", choices=", ".join(meta["choices"]))
     if isinstance(default, str):
-        return "a file name"
-    limits = f"from {meta['low']} to {meta['high']}"
+        return Message("a file name")
+    limits = {"low": meta["low"], "high": meta["high"]}
     if isinstance(default, tuple):
-        return f"{len(default)} numbers {limits}, separated by commas"
-    return f"{'a whole number' if isinstance(default, int) else 'a number'} {limits}"
+        return Message(
+            "{count} numbers from {low} to {high}, separated by commas",
+            count=len(default),
+            **limits,
+        )
+    if isinstance(default, int):
+        return Message("a whole number from {low} to {high}", **limits)
+    return Message("a number from {low} to {high}", **limits)
 
 
 def unit(item: Field) -> str:
@@ -350,7 +370,7 @@ def table(settings: Any) -> list[dict[str, Any]]:
             "unit": unit(item),
             "source": item.metadata["source"],
             "does": item.metadata["does"],
-            "expected": expected(item),
+            "expected": str(expected(item)),
             **{name: item.metadata[name] for name in ("low", "high", "choices")},
         }
         for key, item in fields(type(settings)).items()

@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, reason
 from framelens.base.executor import in_order, lent_or_own
 from framelens.base.installation import how_to_add
 from framelens.base.output import write_whole
@@ -209,17 +209,23 @@ def build(
         makers = table()
     except ImportError as error:
         add = how_to_add(*NEEDED, extra="studio")
-        raise InputError(f"assets build: {error}; run `{add}`") from None
+        raise InputError("assets build: {error}; run `{add}`", error=error, add=add) from None
 
     selected = list(dict.fromkeys(names)) or list(makers)
     for name in selected:
         if name not in makers:
-            raise InputError(f"assets build {name}: no such asset; choose from {', '.join(makers)}")
+            raise InputError(
+                "assets build {name}: no such asset; choose from {names}",
+                name=name,
+                names=", ".join(makers),
+            )
     target = folder or shipped()
     try:
         target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"--assets {target}: cannot be created ({error.strerror})") from None
+        raise InputError(
+            "--assets {target}: cannot be created ({reason})", target=target, reason=reason(error)
+        ) from None
 
     with (
         Progress(len(selected), quiet) as progress,

@@ -89,9 +89,14 @@ def image_heights(values: Voxel, assets: Assets) -> Heights:
     most = min(math.isqrt(MOST_BLOCKS // tall), MOST_COLUMNS)
     if columns > most:
         raise InputError(
-            f"settings voxel.regions={values.regions} and voxel.region_size={values.region_size}: "
-            f"expected at most {most} x {most} columns of {values.levels} levels, "
-            f"not {columns} x {columns}, which do not fit in memory"
+            "settings voxel.regions={regions} and voxel.region_size={region_size}: "
+            "expected at most {most} x {most} columns of {levels} levels, not {columns} x "
+            "{columns}, which do not fit in memory",
+            regions=values.regions,
+            region_size=values.region_size,
+            most=most,
+            levels=values.levels,
+            columns=columns,
         )
     image = read_heights(assets.path(values.height_image, "voxel.height_image"))
     return heights(image, columns, values.levels)

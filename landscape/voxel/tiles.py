@@ -49,5 +49,11 @@ def _strip(assets: Assets, file: str, mode: str, width: int, height: int) -> np.
     strip = read_image(path, mode)
     if strip.shape[:2] != (height, width):
         found = f"found {strip.shape[1]}x{strip.shape[0]}"
-        raise InputError(f"{path}: expected {width}x{height} pixels, {found}")
+        raise InputError(
+            "{path}: expected {width}x{height} pixels, {value}",
+            path=path,
+            width=width,
+            height=height,
+            value=found,
+        )
     return strip

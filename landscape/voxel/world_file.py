@@ -51,24 +51,34 @@ def decoded(data: bytes, name: str, world: World, land: Mapping[str, Any]) -> di
     _check_land(head.get("land"), name, land)
     count, digest = head.get("changes"), head.get("digest")
     if type(count) is not int or not 0 <= count <= MOST_CHANGES:
-        raise InputError(f"{name}: changes {short(count)}: expected a number of blocks")
+        raise InputError(
+            "{name}: changes {count}: expected a number of blocks", name=name, count=short(count)
+        )
     if hashlib.sha256(body).hexdigest() != digest:
-        raise InputError(f"{name}: truncated or damaged: its digest is another; {WHAT}")
+        raise InputError(
+            "{name}: truncated or damaged: its digest is another; {what}", name=name, what=WHAT
+        )
     numbers = _kinds(head.get("kinds"), name)
     size = count * (PLACE.itemsize + KIND.itemsize)
     try:
         unpacked = zlib.decompressobj().decompress(body, size + 1)
     except zlib.error:
-        raise InputError(f"{name}: cannot be decompressed; {WHAT}") from None
+        raise InputError("{name}: cannot be decompressed; {what}", name=name, what=WHAT) from None
 
     if len(unpacked) != size:
-        raise InputError(f"{name}: expected {count} changed blocks, as its first line says")
+        raise InputError(
+            "{name}: expected {count} changed blocks, as its first line says",
+            name=name,
+            count=count,
+        )
     places = np.frombuffer(unpacked, PLACE, count)
     kinds = np.frombuffer(unpacked, KIND, count, count * PLACE.itemsize)
     if count and int(places.max()) >= world.blocks.size:
-        raise InputError(f"{name}: changes a block outside the map")
+        raise InputError("{name}: changes a block outside the map", name=name)
     if count and int(kinds.max()) >= len(numbers):
-        raise InputError(f"{name}: has a block of an unknown kind, {int(kinds.max())}")
+        raise InputError(
+            "{name}: has a block of an unknown kind, {int}", name=name, int=int(kinds.max())
+        )
     cells = np.stack(np.unravel_index(places, world.blocks.shape), axis=1).tolist()
     found = np.array(numbers, np.intp)[kinds].tolist()
     return {(x, z, y): kind for (x, z, y), kind in zip(cells, found, strict=True)}
@@ -85,29 +95,42 @@ def _head(data: bytes, name: str) -> tuple[dict[str, Any], bytes]:
             head = None
     if not isinstance(head, dict) or HEAD not in head:
         found = "an empty file" if not data else "something else"
-        raise InputError(f"{name}: {WHAT}, found {found}")
+        raise InputError("{name}: {what}, found {value}", name=name, what=WHAT, value=found)
     if type(head[HEAD]) is not int or head[HEAD] != VERSION:
-        raise InputError(f"{name}: version {short(head[HEAD])} of the format: expected {VERSION}")
+        raise InputError(
+            "{name}: version {head} of the format: expected {version}",
+            name=name,
+            head=short(head[HEAD]),
+            version=VERSION,
+        )
     return head, body
 
 
 def _check_land(found: Any, name: str, land: Mapping[str, Any]) -> None:
     """Raise InputError unless a file belongs to this land."""
     if not isinstance(found, dict):
-        raise InputError(f"{name}: does not say what its land is made from; {WHAT}")
+        raise InputError(
+            "{name}: does not say what its land is made from; {what}", name=name, what=WHAT
+        )
     for key, value in land.items():
         if type(found.get(key)) is not type(value) or found[key] != value:
             raise InputError(
-                f"{name}: made with {key} {short(found.get(key))}: expected {short(value)}, "
-                "as for the land that it is to change"
+                "{name}: made with {key} {get}: expected {value}, as for the land that it "
+                "is to change",
+                name=name,
+                key=key,
+                get=short(found.get(key)),
+                value=short(value),
             )
 
 
 def _kinds(names: Any, name: str) -> list[int]:
     """Return the numbers of kinds of blocks by their names."""
     if not isinstance(names, list) or not names:
-        raise InputError(f"{name}: does not name the kinds of its blocks; {WHAT}")
+        raise InputError(
+            "{name}: does not name the kinds of its blocks; {what}", name=name, what=WHAT
+        )
     for each in names:
         if not isinstance(each, str) or each not in NUMBERS:
-            raise InputError(f"{name}: unknown kind of block {short(each)}")
+            raise InputError("{name}: unknown kind of block {kind}", name=name, kind=short(each))
     return [NUMBERS[each] for each in names]

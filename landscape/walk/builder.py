@@ -37,7 +37,9 @@ class WorldFile:
     def opened(self, scene: Any) -> None:
         """Change a scene that has been opened as the file says; InputError."""
         if not isinstance(scene, Diggable):
-            raise InputError(f"world {self._path}: expected a scene of blocks, such as voxel")
+            raise InputError(
+                "world {path}: expected a scene of blocks, such as voxel", path=self._path
+            )
         if self._data is not None:
             scene.restore(self._data, f"world {self._path}")
         self._data = scene.saved()

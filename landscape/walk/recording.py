@@ -169,19 +169,29 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
     """Read a recording; InputError names the file and the first bad line."""
     data = read_bounded(path, MOST_BYTES, f"--replay {path}")
     if data.count(b"\n") > MOST_FRAMES + 2:
-        raise InputError(f"{path}: too long, expected at most {MOST_FRAMES} frames")
+        raise InputError(
+            "{path}: too long, expected at most {most_frames} frames",
+            path=path,
+            most_frames=MOST_FRAMES,
+        )
     lines = data.splitlines()
     first = _object(path, 1, lines[0]) if lines else {}
     if not _is_count(first.get("landscape walk"), VERSION):
-        raise InputError(f'{path}:1: expected a line with "landscape walk": {VERSION}')
+        raise InputError(
+            '{path}:1: expected a line with "landscape walk": {version}', path=path, version=VERSION
+        )
     last = len(lines)
     end = _object(path, last, lines[-1]) if last > 1 else {}
     if list(end) != ["frames"] or not _is_count(end["frames"], last - 2):
-        raise InputError(f"{path}:{last}: truncated: expected a last line that counts the frames")
+        raise InputError(
+            "{path}:{last}: truncated: expected a last line that counts the frames",
+            path=path,
+            last=last,
+        )
     try:
         plan = _plan(first)
     except (InputError, ValueError, TypeError, KeyError) as error:
-        raise InputError(f"{path}:1: {_reason(error)}") from None
+        raise InputError("{path}:1: {reason}", path=path, reason=_reason(error)) from None
 
     ticks, before = [], Tick(0.0, Intent(), (), plan.size)
     for number, line in enumerate(lines[1:-1], 2):
@@ -189,7 +199,9 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
         try:
             before = _tick(frame, before, plan.scene)
         except (InputError, ValueError, TypeError, KeyError) as error:
-            raise InputError(f"{path}:{number}: {_reason(error)}") from None
+            raise InputError(
+                "{path}:{number}: {reason}", path=path, number=number, reason=_reason(error)
+            ) from None
         ticks.append(before)
 
     return plan, ticks
@@ -206,7 +218,11 @@ def _object(path: Path, number: int, line: bytes) -> dict[str, Any]:
     except (ValueError, RecursionError):
         value = None
     if not isinstance(value, dict):
-        raise InputError(f"{path}:{number}: expected one JSON object per line, as --record writes")
+        raise InputError(
+            "{path}:{number}: expected one JSON object per line, as --record writes",
+            path=path,
+            number=number,
+        )
     return value
 
 

@@ -66,7 +66,9 @@ def walk(
     if backend == "cgl":
         raise InputError("--backend cgl: it opens no window; expected auto, glfw or software")
     if backend in HEADLESS and frames is None and replay is None:
-        raise InputError(f"--backend {backend}: no window to leave by; expected --frames as well")
+        raise InputError(
+            "--backend {backend}: no window to leave by; expected --frames as well", backend=backend
+        )
     if path is not None and (record is not None or replay is not None):
         raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
     environment = open_environment(path) if path is not None else None
@@ -100,7 +102,9 @@ def walk(
     kept_world = None
     if world is not None:
         if not scene(plan.scene).blocks:
-            raise InputError(f"world {world}: expected a view of a scene of blocks, such as voxel")
+            raise InputError(
+                "world {world}: expected a view of a scene of blocks, such as voxel", world=world
+            )
         kept_world = WorldFile(world, keep=ticks is None)
 
     writer = Writer(record, plan) if record is not None else None

@@ -19,7 +19,12 @@ def check_viewport(size: tuple[int, int]) -> None:
     limits = gl.glGetIntegerv(gl.GL_MAX_VIEWPORT_DIMS)
     if any(side > limit for side, limit in zip(size, limits, strict=True)):
         most = "x".join(map(str, limits))
-        raise InputError(f"--size {size[0]}x{size[1]}: expected at most {most} on this OpenGL")
+        raise InputError(
+            "--size {width}x{height}: expected at most {most} on this OpenGL",
+            width=size[0],
+            height=size[1],
+            most=most,
+        )
 
 
 @dataclass

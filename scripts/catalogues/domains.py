@@ -75,6 +75,40 @@ def _calls(code: ast.Module) -> list[tuple[str, str]]:
     return [(text, context) for _line, _column, text, context in sorted(found) if text]
 
 
+ERRORS = (
+    "InputError",
+    "NoOpenGLError",
+    "ProgramError",
+    "StateError",
+    "WorkerKilled",
+    "Message",
+    "refusal",
+)
+"""What takes a template of framelens.base.errors, as its first argument."""
+
+
+ERROR_TABLES = ("framelens/base/errors.py", "framelens/commands/parser.py")
+"""The modules whose tables are what others say of errors: the operating system, argparse."""
+
+
+def errors(package: str) -> Iterator[Message]:
+    """Yield the templates of a package's errors."""
+    for path in sorted((ROOT / package).rglob("*.py")):
+        code = ast.parse(path.read_text(encoding="utf-8"))
+        source = path.relative_to(ROOT).as_posix()
+        calls = [node for node in ast.walk(code) if isinstance(node, ast.Call) and node.args]
+        named = [node for node in code.body if isinstance(node, ast.Assign)]
+        constants = {ast.unparse(node.targets[0]): node.value for node in named}
+        for call in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
+            if ast.unparse(call.func) in ERRORS:
+                template = ast.unparse(call.args[0])
+                text = constants.get(template, call.args[0])
+                if isinstance(text, ast.Constant):
+                    yield Message(text.value, source)
+        if source in ERROR_TABLES:
+            yield from (Message(text, source) for text, _key in _tables(code))
+
+
 def _tables(code: ast.Module) -> Iterator[tuple[str, str]]:
     """Yield the texts of a module's tables, each with its key if it has one."""
     for node in code.body:
@@ -222,10 +256,12 @@ COURSE = (
     "landscape/commands/*.py",
 )
 
-IN_FRAMELENS = ("calls", "inspector", "strip", "why")
+IN_FRAMELENS = ("calls", "errors", "inspector", "strip", "why")
 """The domains whose catalogues come with framelens; the others come with landscape."""
 
 DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
+    "errors": lambda: errors("framelens"),
+    "landscape_errors": lambda: errors("landscape"),
     "calls": lambda: in_code("framelens/spec/*.py", "framelens/tape/*.py"),
     "fixes": fixes,
     "scenes": scenes,

@@ -11,12 +11,11 @@ from pathlib import Path
 from PIL import Image
 
 from framelens.base.errors import InputError
-from framelens.base.texts import LANGUAGES
+from framelens.base.texts import LANGUAGES, speaking
 from framelens.gl.seam import Call
 from framelens.program.program_frame import ProgramFrame
 from framelens.report import strip as strips
 from framelens.tape.tape import Tape
-from landscape.commands.lesson import speaking
 from landscape.commands.target import ViewFrame
 from landscape.course.exercise import exercise, grading
 from landscape.course.grader.picture import pictures

@@ -55,7 +55,7 @@ class CGLContext:
             if self._context is not None:
                 break
         else:
-            raise NoOpenGLError(f"CGL gave no context (CGLError {error})")
+            raise NoOpenGLError("CGL gave no context (CGLError {error})", error=error)
         self.make_current()
         use_platform("native")
         if software:

@@ -114,7 +114,11 @@ class EGLContext:
         self._context: Any = None
         if not self._opened(self._software_displays() if software else self._displays()):
             wanted = advice.install("egl")
-            raise NoOpenGLError(f"EGL gave no OpenGL context: {wanted} ({self._reason})")
+            raise NoOpenGLError(
+                "EGL gave no OpenGL context: {wanted} ({reason})",
+                wanted=wanted,
+                reason=self._reason,
+            )
         use_platform("egl")
         if software:
             check_software(self)

@@ -94,7 +94,9 @@ class GLFWContext:
         if not glfw.init():
             reason = display.choose(os.environ)[1] if sys.platform == "linux" else ""
             said = reason or self._reason()
-            raise NoOpenGLError(f"GLFW found no screen ({said}): {advice.window(reason)}")
+            raise NoOpenGLError(
+                "GLFW found no screen ({said}): {window}", said=said, window=advice.window(reason)
+            )
         if drawn_by:
             self._draw_headless(drawn_by, size)
         else:
@@ -118,7 +120,11 @@ class GLFWContext:
         if not self.window:
             reason = self._reason()
             self._terminate()
-            raise NoOpenGLError(f"GLFW opened no window ({reason}): {advice.window('')}")
+            raise NoOpenGLError(
+                "GLFW opened no window ({reason}): {window}",
+                reason=reason,
+                window=advice.window(""),
+            )
         GLFWContext._windows += 1
         self.make_current()
         check_library()

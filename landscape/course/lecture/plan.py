@@ -61,7 +61,7 @@ def read(path: Path) -> Lecture:
     """Read a lecture; InputError, in one line with the file and its line, if something is wrong."""
     text = read_bounded(path, MOST_BYTES).decode("utf-8-sig", "surrogateescape")
     if re.search("[\ud800-\udfff\x00]", text):
-        raise InputError(f"{path}: is not text in UTF-8; expected a lecture")
+        raise InputError("{path}: is not text in UTF-8; expected a lecture", path=path)
     title, steps = "", []
     for number, block in enumerate(_blocks(text)):
         if number == 0 and _key(block[0][1])[0] == "title":
@@ -70,7 +70,9 @@ def read(path: Path) -> Lecture:
         if block:
             steps.append(_step(path, block))
     if not steps:
-        raise InputError(f"{path}: has no steps; expected blocks that begin with {KINDS}")
+        raise InputError(
+            "{path}: has no steps; expected blocks that begin with {kinds}", path=path, kinds=KINDS
+        )
     return Lecture(title or path.stem, steps)
 
 
@@ -123,9 +125,16 @@ def _step(path: Path, block: Lines) -> Step:
         if not key:
             captions.append(line)
         elif key not in KEYS:
-            raise InputError(f"{where}: {short(key)}: expected one of {', '.join(KEYS)}, or text")
+            raise InputError(
+                "{where}: {key}: expected one of {names}, or text",
+                where=where,
+                key=short(key),
+                names=", ".join(KEYS),
+            )
         elif not value:
-            raise InputError(f"{where}: {key}: expected something after the colon")
+            raise InputError(
+                "{where}: {key}: expected something after the colon", where=where, key=key
+            )
         elif key == "title":
             step.title = value
         elif key == "note":
@@ -133,7 +142,11 @@ def _step(path: Path, block: Lines) -> Step:
         elif key == "keys":
             step.keys += tuple(_pressed(where, value))
         elif step.file is None:
-            raise InputError(f"{where}: code: {name} is a view; expected it at a lesson or program")
+            raise InputError(
+                "{where}: code: {name} is a view; expected it at a lesson or program",
+                where=where,
+                name=name,
+            )
         else:
             step.code = (step.code or frozenset()) | _lines(where, step.file, value)
 
@@ -148,12 +161,23 @@ def _named(path: Path, line: int, name: str) -> Step:
     if name.endswith(".py"):
         file = path.parent / name
         if not file.is_file():
-            raise InputError(f"{path}, line {line}: {short(name)}: there is no such file")
+            raise InputError(
+                "{path}, line {line}: {name}: there is no such file",
+                path=path,
+                line=line,
+                name=short(name),
+            )
         return Step(name, PROGRAM, line, file)
     try:
         find_view(name)
     except InputError:
-        raise InputError(f"{path}, line {line}: {short(name)}: expected {KINDS}") from None
+        raise InputError(
+            "{path}, line {line}: {name}: expected {kinds}",
+            path=path,
+            line=line,
+            name=short(name),
+            kinds=KINDS,
+        ) from None
     return Step(name, VIEW, line)
 
 
@@ -161,7 +185,9 @@ def _pressed(where: str, value: str) -> Iterator[str]:
     for key in re.split(r"[\s,]+", value):
         if key.upper() not in KEY_NAMES:
             raise InputError(
-                f"{where}: keys: {short(key)}: expected names such as SPACE, LEFT or 1"
+                "{where}: keys: {key}: expected names such as SPACE, LEFT or 1",
+                where=where,
+                key=short(key),
             )
         yield key.upper()
 
@@ -178,7 +204,11 @@ def _lines(where: str, file: Path, value: str) -> frozenset[int]:
             first, last = int(span[1]), int(span[2] or span[1])
             if not 1 <= first <= last <= len(lines):
                 raise InputError(
-                    f"{where}: code: {item}: expected lines from 1 to {len(lines)} of {file.name}"
+                    "{where}: code: {item}: expected lines from 1 to {count} of {name}",
+                    where=where,
+                    item=item,
+                    count=len(lines),
+                    name=file.name,
                 )
             found.update(range(first, last + 1))
             continue
@@ -189,7 +219,12 @@ def _lines(where: str, file: Path, value: str) -> frozenset[int]:
             if (fragment in line if item[0] == '"' else re.search(_word(fragment), line))
         }
         if not fragment or not mine:
-            raise InputError(f"{where}: code: {short(item)}: is not in {file.name}")
+            raise InputError(
+                "{where}: code: {item}: is not in {name}",
+                where=where,
+                item=short(item),
+                name=file.name,
+            )
         found |= mine
 
     return frozenset(found)

@@ -24,7 +24,7 @@ def read(path: Path) -> dict[str, Any]:
     try:
         found = json.loads(read_bounded(path, MOST_BYTES))
     except ValueError as error:
-        raise InputError(f"{expected} ({error})") from None
+        raise InputError("{expected} ({error})", expected=expected, error=error) from None
     try:
         row = found["rows"][ROW]
         numbers = [*map(float, (row["fps"], row["ms"], found["frames"], *found["size"]))]

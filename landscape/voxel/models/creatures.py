@@ -120,7 +120,9 @@ def _grid(
     """
     extent = np.ptp(vertices, axis=0)
     if extent[axis] * THINNEST < extent.max():
-        raise InputError(f"{path}: expected a mesh that is not flat, to make blocks of it")
+        raise InputError(
+            "{path}: expected a mesh that is not flat, to make blocks of it", path=path
+        )
     places = ((vertices - vertices.min(axis=0)) * (size / extent[axis]))[:, [0, 2, 1]]
     long, wide, tall = (max(int(np.ceil(v - 1e-4)), 1) for v in places.max(axis=0))
     wide += odd and wide % 2 == 0

@@ -48,7 +48,12 @@ def read_shapes(path: Path) -> list[list[Shape]]:
     column, row = (np.round(vertices[:, axis] / APART).astype(int) for axis in (0, 2))
     count = sum(KINDS)
     if colours is None or column.max() != count - 1 or set(np.unique(column)) != set(range(count)):
-        raise InputError(f"{path}: expected {count} painted stones in a row, {APART:g} units apart")
+        raise InputError(
+            "{path}: expected {count} painted stones in a row, {apart:g} units apart",
+            path=path,
+            count=count,
+            apart=APART,
+        )
     found = []
     for k in range(count):
         levels = []
