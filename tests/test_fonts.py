@@ -7,9 +7,8 @@ import polib
 from commands import environment, python
 
 from framelens.base.fonts import font, monospaced, writable
-from framelens.base.packages import PACKAGES
+from framelens.base.packages import FRAMELENS, PACKAGES
 from framelens.base.texts import typeset
-from landscape.files.assets import shipped
 
 FRENCH = "Éclat à l'œil × 12 : « été »"
 # Prints the hash of a picture of a text in each face; without the library by which Pillow may lay
@@ -60,6 +59,6 @@ def test_all_letters_of_code_are_equally_wide() -> None:
 
 
 def test_the_fonts_come_with_their_licence() -> None:
-    folder = shipped() / "fonts"
+    folder = FRAMELENS.folder / "fonts"
     assert "Bitstream Vera" in (folder / "LICENSE").read_text(encoding="utf-8")
     assert {Path(face.path).parent for face in (font(9), font(9, True), monospaced(9))} == {folder}
