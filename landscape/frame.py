@@ -67,8 +67,7 @@ class Detail:
     drawn to the right and up, in pixels of the window. ``coarser`` is how many times larger an
     error in pixels may be, where meshes and sprites are chosen by their size in pixels. ``grass``
     is the fraction of the blades of a meadow. ``mirror`` is how many pixels of the mirror image are
-    drawn per pixel of the window, and ``mirror_frames`` how many frames it serves. ``spread`` is
-    how many frames a picture takes to be drawn, and is then shown.
+    drawn per pixel of the window, and ``mirror_frames`` how many frames it serves.
     """
 
     scale: float = 1.0
@@ -77,7 +76,6 @@ class Detail:
     grass: float = 1.0
     mirror: float = 0.5  # chosen: ripples blur the mirror image anyway
     mirror_frames: int = 1
-    spread: int = 1
 
 
 FULL = Detail()

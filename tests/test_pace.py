@@ -9,17 +9,7 @@ import pytest
 from landscape.frame import FULL, Pose
 from landscape.scene.scene import Moment
 from landscape.walk import steady
-from landscape.walk.pace import (
-    CARRIED,
-    FIXED,
-    RIGHT,
-    SHOWING,
-    STANDING,
-    WALKING,
-    WRONG,
-    Level,
-    Pace,
-)
+from landscape.walk.pace import FIXED, STANDING, WALKING, Level, Pace
 
 BUDGET = 1 / 30
 
@@ -45,45 +35,6 @@ def walked(
         time += spent
         levels.append(pace.level)
     return levels
-
-
-def carried(pace: Pace, seconds: float, full: float, wrong: float | None) -> list[int]:
-    """Walk where each picture is found to be ``wrong``; return how many frames one serves."""
-    spreads, time = [], 0.0
-    while time < seconds:
-        spread = pace.detail.spread
-        ladder = CARRIED if pace.carries else WALKING
-        level = ladder[pace.level]
-        showing = SHOWING if spread > 1 else 0.0
-        spent = full * (cost(level) / spread + showing)
-        pace.frame(spent, spent, True, wrong)
-        time += spent
-        spreads.append(spread)
-    return spreads
-
-
-def test_pictures_serve_several_frames_where_little_of_them_is_wrong() -> None:
-    assert set(carried(Pace(30), 6.0, 0.05, None)) == {1}
-    assert set(carried(Pace(30), 6.0, 0.05, 2 * RIGHT)) == {1}
-    pace = Pace(30)
-    assert set(carried(pace, 6.0, 0.05, RIGHT / 2)[-60:]) <= {2, 3} and pace.carries
-    # A little more than would have been right to begin with does not end it.
-    assert min(carried(pace, 3.0, 0.05, (RIGHT + WRONG) / 2)) > 1
-    assert set(carried(pace, 3.0, 0.05, 1.1 * WRONG)[-30:]) == {1} and not pace.carries
-
-
-def test_a_picture_serves_the_more_frames_the_longer_it_takes() -> None:
-    spreads = [max(carried(Pace(30), 9.0, full, 0.01)[-60:]) for full in (0.02, 0.035, 0.09)]
-    assert spreads == sorted(set(spreads))
-    # All of them keep three fifths of the pixels along each side.
-    assert min(level.detail.scale for level in CARRIED) >= 0.6
-
-
-def test_frames_are_more_frequent_where_pictures_serve_several() -> None:
-    pace = Pace(30)
-    carried(pace, 6.0, 0.05, 0.01)
-    frames = carried(pace, 2.0, 0.05, 0.01)
-    assert len(frames) / 2.0 > 40
 
 
 def changes(levels: list[int]) -> int:
@@ -217,11 +168,8 @@ def test_what_changes_in_the_scene_does_not_fade_in(monkeypatch: pytest.MonkeyPa
     interlaced: list[bool] = []
 
     class Noted:
-        def draw(self, moment: Moment, draw: object, lines: bool, opened: object) -> None:
+        def draw(self, moment: Moment, draw: object, lines: bool) -> None:
             interlaced.append(lines)
-
-        def wrong(self) -> None:
-            return None
 
     shown = steady.Steady(30)
     shown._stretch = Noted()  # type: ignore[assignment]

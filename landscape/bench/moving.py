@@ -206,7 +206,7 @@ def pictures(opened: OpenScene, moments: Sequence[Moment], wanted: set[int]) -> 
     stretch = Stretch()
     try:
         for n, moment in enumerate(moments):
-            stretch.draw(moment, opened.draw, interlaced=False, opened=opened)
+            stretch.draw(moment, opened.draw, interlaced=False)
             if n in wanted:
                 found[n] = Picture(read_pixels(moment.size), _depths(moment.size), _matrix())
     finally:

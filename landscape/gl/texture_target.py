@@ -78,15 +78,6 @@ class TextureTarget:
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
             gl.glViewport(*viewport)
 
-    def copy_depths(self, other: "TextureTarget") -> None:
-        """Copy the depths to a target of any size; a pixel there takes the nearest one here."""
-        previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
-        gl.glBindFramebuffer(gl.GL_READ_FRAMEBUFFER, self._frame)
-        gl.glBindFramebuffer(gl.GL_DRAW_FRAMEBUFFER, other._frame)
-        sizes = *self.size, 0, 0, *other.size
-        gl.glBlitFramebuffer(0, 0, *sizes, gl.GL_DEPTH_BUFFER_BIT, gl.GL_NEAREST)
-        gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
-
     def bind(self) -> None:
         """Make the colour the 2D texture of the active unit."""
         gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)

@@ -1,6 +1,5 @@
 """The great hall: its elements, and the order in which a frame draws them, which is the lesson."""
 
-from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from functools import partial
@@ -34,7 +33,7 @@ from landscape.hall.statue import Statue
 from landscape.hall.tone import Tone
 from landscape.hall.torches import Torches
 from landscape.hall.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
-from landscape.scene.scene import Moment, Scene, View, begin_frame, draw_all_parts
+from landscape.scene.scene import Moment, Scene, View, begin_frame
 
 IN_STENCIL = "mirror, shadow, exhibits.solids, exhibits.volume, tone.area"
 NOTHING = -10.0  # units, chosen: so that a view may look at the hall from below
@@ -142,10 +141,6 @@ class Hall(Ground):
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
-        draw_all_parts(self, moment)
-
-    def parts(self, moment: Moment) -> Iterator[Frame]:
-        """Draw one frame but for the sword, and yield it after each part."""
         values = self.settings
         moment = replace(moment, pose=self.eye(moment.pose, moment.kt))
         frame = begin_frame(moment, values.camera, values.sun, values.fog)
@@ -154,16 +149,13 @@ class Hall(Ground):
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE if moment.wireframe else gl.GL_FILL)
             self._draw_hall(frame)
             gl.glFlush()
-            yield frame
             self._draw_image(frame)
             gl.glFlush()
-            yield frame
             self._draw_floor(frame)
             self._draw_basin(frame)  # after the image, which would have to be drawn through it
             # The net of light is blended over the stone.
             self.elements.draw("caustics", frame)
             gl.glFlush()
-            yield frame
             self.elements.draw("pool", frame)  # blended over its bed
 
             # Blended: each after all that is opaque behind it.
@@ -177,12 +169,9 @@ class Hall(Ground):
         self.elements.draw("tone", frame)
         if dimmed:
             self.elements.draw("torches", frame)  # flames shine as before
-        yield frame
 
-    def draw_overlay(self, frame: Frame) -> None:
-        """Draw the sword, which covers everything."""
         begin_pass("overlay")
-        if not self.settings.flight.enabled:
+        if not values.flight.enabled:
             self.elements.draw("sword", frame)
 
     def _draw_hall(self, frame: Frame) -> None:

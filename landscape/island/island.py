@@ -5,7 +5,7 @@ that covers it. The rest of the order is for speed.
 """
 
 import functools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -48,7 +48,7 @@ from landscape.geometry.pockets import passable
 from landscape.island.fixes import FIXES
 from landscape.island.slots import CASTING, OTHERS, PLANTED, SLOTS
 from landscape.island.views import ALL, MAIN, VIEWS
-from landscape.scene.scene import SEED, Moment, Scene, begin_frame, draw_all_parts
+from landscape.scene.scene import SEED, Moment, Scene, begin_frame
 
 Sort = Callable[[], tuple[np.ndarray, ...] | None]  # what sorts the sprites, once a frame
 ELEMENTS = ALL
@@ -174,10 +174,6 @@ class Island:
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
-        draw_all_parts(self, moment)
-
-    def parts(self, moment: Moment) -> Iterator[Frame]:
-        """Draw one frame but for sword and map, and yield it after each part."""
         frame = self._begin(moment)
         values = self.settings
         under = self.elements.get(UnderWater) if "water" in self.shown else None
@@ -186,14 +182,10 @@ class Island:
             if under and submerged(frame, values):
                 self._draw_under_water(frame, under)
             else:
-                for _ in self._draw_outdoors(frame):
-                    yield frame
-        yield frame
+                self._draw_outdoors(frame)
 
-    def draw_overlay(self, frame: Frame) -> None:
-        """Draw sword and map, which cover everything."""
+        # The overlay covers everything.
         begin_pass("overlay")
-        values = self.settings
         if values.overlay.sword:
             self.elements.draw("sword", frame)
         if values.overlay.map:
@@ -220,8 +212,8 @@ class Island:
             with drawing("water"):
                 under.lay_net(frame, lambda: draw("dragon", frame, dragon.send))
 
-    def _draw_outdoors(self, frame: Frame) -> Iterator[None]:
-        """Draw what an eye above the water sees, in parts that take about as long."""
+    def _draw_outdoors(self, frame: Frame) -> None:
+        """Draw what an eye above the water sees."""
         draw, values = self.elements.draw, self.settings
         # Sorted once for both passes, when first needed.
         sort = functools.cache(lambda: self._prepared(frame))
@@ -231,7 +223,6 @@ class Island:
         early = query is None or query.expected(frame)
         if early:
             self._draw_reflection(frame, sort)
-            yield
 
         # Opaque elements: the depth buffer sorts them, so their order does not matter.
         ornate = self.elements.get(OrnateCastle)
@@ -247,14 +238,12 @@ class Island:
                 query.ask(frame)
         # OpenGL executes the calls so far while Python sorts, selects blades, computes waves.
         gl.glFlush()
-        yield
         if self._sprites_shown:
             sort()
         draw("grass", frame)
         # The sky comes last of the opaque elements: it is not drawn where they cover it.
         draw("sky", frame)
         gl.glFlush()
-        yield
 
         # Land may hide all of the sea; a mirror image that is a texture can be drawn this late.
         water = query is None or query.shows()
@@ -268,7 +257,6 @@ class Island:
             draw("ring", frame)
             draw("water", frame)
         draw("mist", frame)
-        yield
         self._draw_sprites(frame, sort)
 
     def _draw_reflection(self, frame: Frame, sort: Sort) -> None:

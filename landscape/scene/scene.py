@@ -6,7 +6,7 @@ rendering, tracing and measuring work on any scene in :data:`SCENES`; a new scen
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import import_module
 from typing import Any, Protocol, runtime_checkable
@@ -129,28 +129,6 @@ class OpenScene(Terrain, Protocol):
 
     def release(self) -> None:
         """Delete what was made in OpenGL; may be called twice."""
-
-
-@runtime_checkable
-class Parted(OpenScene, Protocol):
-    """An open scene whose frames can be drawn a part at a time; a scene need not be one."""
-
-    def parts(self, moment: Moment) -> Iterator[Frame]:
-        """Draw one frame but for what is in front of it; yield the frame after each part.
-
-        Others may draw between two parts. What has been changed of the state by then are the
-        viewport, the matrices, light and fog of the frame.
-        """
-
-    def draw_overlay(self, frame: Frame) -> None:
-        """Draw what is in front of a frame: what the walker holds, a map."""
-
-
-def draw_all_parts(opened: Parted, moment: Moment) -> None:
-    """Draw one frame, all its parts at once."""
-    for frame in opened.parts(moment):
-        last = frame
-    opened.draw_overlay(last)
 
 
 @dataclass(frozen=True)

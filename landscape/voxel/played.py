@@ -176,8 +176,9 @@ class Played:
         found = decoded(data, name, self.land.world, self._made_from())
         self.land.change_many(self.land.world.former | found)
 
-    def draw_crosshair(self, frame: Frame) -> None:
-        """Draw the cross-hair, if it is shown."""
+    def draw_aim(self, frame: Frame) -> None:
+        """Draw the edges of the block under the cross-hair, and the cross-hair."""
+        self.draw_aimed_at(frame)
         if "crosshair" in self.shown:
             with drawing("crosshair"):
                 draw_crosshair(frame)

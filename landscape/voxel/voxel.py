@@ -19,7 +19,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
-from landscape.scene.scene import SEED, Moment, Scene, View, begin_frame, draw_all_parts
+from landscape.scene.scene import SEED, Moment, Scene, View, begin_frame
 from landscape.settings.declare import Toggle
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
@@ -168,10 +168,6 @@ class Voxel(Played, Ground):
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
-        draw_all_parts(self, moment)
-
-    def parts(self, moment: Moment) -> Iterator[Frame]:
-        """Draw one frame but for cross-hair, sword and map, and yield it after each part."""
         values = self.settings
         self._under = self._is_under(moment.pose)
         haze = murk(values) if self._under else self._haze(moment.pose)
@@ -180,7 +176,6 @@ class Voxel(Played, Ground):
         self.land.catch_up()
         self._around = self.land.around(frame.eye)
         self._draw_shadows(frame, moment.walking)
-        yield frame
         begin_pass("main")
         shore = self._shore(frame)
 
@@ -193,10 +188,8 @@ class Voxel(Played, Ground):
             self._draw_land(frame, clip, part, behind_hills=moment.wireframe or self._under)
         if not self._under:  # or the surface is in front of all of it
             self.elements.draw("sky", frame)
-        yield frame
         if water and shore and self._visible(frame, water):
             self._draw_images(frame, clip, water)
-            yield frame
             begin_pass("water")
             with drawing("water"):
                 depth = self.depth(shore)
@@ -204,14 +197,9 @@ class Voxel(Played, Ground):
                 water.draw(frame, clip, shore.points, depth, fades_into)
 
         begin_pass("overlay")
-        self.draw_aimed_at(frame)
+        self.draw_aim(frame)
         self._draw_debug(frame, clip)
-        yield frame
-
-    def draw_overlay(self, frame: Frame) -> None:
-        """Draw cross-hair, sword and map, which cover everything."""
-        self.draw_crosshair(frame)
-        if not self.settings.debug.textures:  # it would cover the last of them
+        if not values.debug.textures:  # it would cover the last of them
             self.elements.draw("sword", frame)
         self.elements.draw("map", frame)
 

@@ -380,7 +380,7 @@ class Walk:
 
         # A screenshot has all the detail, and so has what the inspector looks into.
         whole = self._shoot or self.inspection.open
-        draw = partial(self.steady.draw, moment, scene.draw, whole, shows, scene)
+        draw = partial(self.steady.draw, moment, scene.draw, whole, shows)
         self.inspection.draw(draw, (moment, *shows), self._size)
         if self._help:
             # The user may have changed the keyboard's layout.

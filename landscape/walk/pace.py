@@ -5,10 +5,6 @@ frames take decides. Down it goes at once, by as many levels as the time asks fo
 finer level would leave time to spare, and only after a wait, which doubles when a rise turned out
 to be a mistake. So the picture neither pumps nor flickers, and a fast OpenGL stays at level 0.
 
-Where a picture can be moved to where its things are seen a frame later (spread.py), a picture takes
-several frames to be drawn, and there are half as many frames again. How much of a picture is wrong
-then, is tried now and then: among grass and trees too much is.
-
 What a level costs is not the same everywhere: a part of each frame takes the same time however few
 pixels and blades are drawn. How large that part is here, each change of the level tells.
 
@@ -67,23 +63,6 @@ WALKING = (
 )
 
 
-def _carried(load: float, scale: float, mirror: float, spread: int) -> Level:
-    detail = Detail(scale=scale, coarser=1.0 / scale, mirror=mirror, spread=spread)
-    return Level(detail, load)
-
-
-# Pictures that serve several frames keep three fifths of the pixels along each side.
-CARRIED = (
-    Level(FULL, 1.0),
-    _carried(0.56, 0.75, 0.45, 2),
-    _carried(0.43, 0.66, 0.40, 2),
-    _carried(0.35, 0.60, 0.36, 2),
-    _carried(0.35, 0.60, 0.36, 3),
-)
-OFTENER = 1.5  # chosen: frames are so many times as frequent where pictures serve several
-SHOWING = 0.12  # of a full frame's time, to show a picture that serves several frames
-
-
 def _interlaced(
     load: float, scale: float, mirror_frames: int, grass: float = 1.0, resort: bool = False
 ) -> Level:
@@ -114,9 +93,6 @@ ROOM = 0.75  # chosen: of the time per frame, what a finer level may be expected
 RESORT = 2.0  # chosen: times the time per frame, which the other levels must take for a last resort
 WAIT = 0.4  # chosen: seconds at a level before a finer one is tried
 LONGEST_WAIT = 16.0  # chosen: seconds, after a rise that was taken back several times
-RIGHT = 0.15  # chosen: part of a picture that may be wrong where it is to serve several frames
-WRONG = 0.18  # chosen: part of a picture that is too much, where one does
-AGAIN = 3.0  # chosen: seconds after that before it is tried again
 REST = 0.25  # chosen: seconds without a motion after which a walker stands still
 
 
@@ -125,7 +101,7 @@ class Ladder:
 
     def __init__(self, levels: Sequence[Level], budget: float) -> None:
         """Begin at the first level, which draws everything; ``budget`` is seconds per frame."""
-        self._levels, self.budget = levels, budget
+        self._levels, self._budget = levels, budget
         self.level = 0
         self.fixed = FIXED  # part of a full frame's time that no level saves, as far as is known
         self.full = 0.0  # seconds that a full frame takes, as far as is known
@@ -137,14 +113,7 @@ class Ladder:
 
     def cost(self, level: int) -> float:
         """Return what a frame takes at a level, in times of a full frame."""
-        least, more = self._terms(level)
-        return least + self.fixed * more
-
-    def _terms(self, level: int) -> tuple[float, float]:
-        """Return a, b: what a frame takes at a level is a + b times the fixed part."""
-        load, spread = self._levels[level].load, self._levels[level].detail.spread
-        showing = SHOWING if spread > 1 else 0.0
-        return load / spread + showing, (1.0 - load) / spread
+        return self.fixed + (1.0 - self.fixed) * self._levels[level].load
 
     @property
     def detail(self) -> Detail:
@@ -170,7 +139,7 @@ class Ladder:
         """Take note of a frame: seconds it took to draw, seconds since the one before."""
         self._since += seconds
         self._recent.append(spent)
-        hurried = len(self._recent) >= HURRY and self._fastest() > RUSH * self.budget
+        hurried = len(self._recent) >= HURRY and self._fastest() > RUSH * self._budget
         if len(self._recent) < RECENT and not hurried:
             return
         recent = list(self._recent)
@@ -193,11 +162,10 @@ class Ladder:
         if self._left is None:
             return
         (level, before), self._left = self._left, None
-        then, more_then = self._terms(level)
-        now, more_now = self._terms(self.level)
+        then, now = self._levels[level].load, self._levels[self.level].load
         ratio = usual / before
-        # ratio = (now + fixed more_now) / (then + fixed more_then)
-        share = ratio * more_then - more_now
+        # ratio = (fixed + (1 - fixed) now) / (fixed + (1 - fixed) then)
+        share = ratio * (1.0 - then) - (1.0 - now)
         if share:
             fixed = min(max((now - ratio * then) / share, 0.0), MOST_FIXED)
             self.fixed += (fixed - self.fixed) / 2.0
@@ -207,7 +175,7 @@ class Ladder:
         full = self.full
         if self.level > self._last_good and self._bearable(full, LIMIT):
             return self._last_good
-        if usual > LIMIT * self.budget:
+        if usual > LIMIT * self._budget:
             if self._risen and self._since < 2 * self._wait:
                 self._wait = min(2 * self._wait, LONGEST_WAIT)
             return self._coarser(full)
@@ -244,14 +212,14 @@ class Ladder:
 
         Its frames may take ``part`` of RESORT times the budget; a full one takes ``full`` seconds.
         """
-        return full * self.cost(self._last_good) <= part * RESORT * self.budget
+        return full * self.cost(self._last_good) <= part * RESORT * self._budget
 
     def _fitting(self, levels: range, full: float, part: float) -> int | None:
         """Return the first of some levels whose frames would take that part of the time at most.
 
         ``full`` is what a full frame takes, in seconds.
         """
-        most = part * self.budget
+        most = part * self._budget
         return next((n for n in levels if full * self.cost(n) <= most), None)
 
 
@@ -263,9 +231,6 @@ class Pace:
         self.active = fps > 0
         budget = 1.0 / fps if self.active else math.inf
         self._walking, self._standing = Ladder(WALKING, budget), Ladder(STANDING, budget)
-        self._carried = Ladder(CARRIED, budget / OFTENER)
-        self.carries = False  # whether pictures serve several frames
-        self._since_wrong = AGAIN  # seconds since too much was wrong
         self._still = 0.0  # seconds without a motion
         self._drawn = 0  # frames, up to WARM
 
@@ -277,54 +242,26 @@ class Pace:
     @property
     def level(self) -> int:
         """The level of the next frame; 0 draws everything."""
-        return self._ladder.level
+        return (self._standing if self.still else self._walking).level
 
     @property
     def detail(self) -> Detail:
         """The detail of the next frame."""
-        return self._ladder.detail
-
-    @property
-    def _ladder(self) -> Ladder:
-        return self._standing if self.still else self._moving
-
-    @property
-    def _moving(self) -> Ladder:
-        return self._carried if self.carries else self._walking
-
-    def _choose_ladder(self, wrong: float, seconds: float) -> None:
-        """Let pictures serve several frames, or not, where frames take ``seconds``."""
-        if self.carries:
-            if wrong > WRONG:
-                self.carries, self._since_wrong = False, 0.0
-                self._walking.follow(self._carried)
-            return
-        if self._since_wrong < AGAIN or wrong >= RIGHT:
-            return
-        self._carried.follow(self._walking)
-        # The longer a picture serves, the more of it is wrong.
-        serves = self._carried.detail.spread * self._carried.budget
-        self.carries = wrong * serves < RIGHT * seconds
+        return (self._standing if self.still else self._walking).detail
 
     @property
     def interlaced(self) -> bool:
         """Whether the next frame is one of those that add up to a picture of full size."""
         return self.still and self.level > 0
 
-    def frame(self, spent: float, seconds: float, moved: bool, wrong: float | None = None) -> None:
-        """Take note of a frame: seconds it took to draw, seconds since the last, eye moved.
-
-        ``wrong`` is how much of the last picture, 0..1, was not as the one before it had shown it
-        a picture later, if that was tried.
-        """
+    def frame(self, spent: float, seconds: float, moved: bool) -> None:
+        """Take note of a frame: seconds it took to draw, seconds since the last, eye moved."""
         if self._drawn < WARM:
             self._drawn += 1
             return
-        self._ladder.frame(spent, seconds)
-        self._since_wrong += seconds
-        if wrong is not None:
-            self._choose_ladder(wrong, seconds)
+        ladder = self._standing if self.still else self._walking
+        ladder.frame(spent, seconds)
         was_still = self.still
         self._still = 0.0 if moved else self._still + seconds
         if self.still and not was_still:
-            self._standing.follow(self._moving)
+            self._standing.follow(self._walking)

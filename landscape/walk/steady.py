@@ -43,20 +43,18 @@ class Steady:
         draw: Callable[[Moment], None],
         whole: bool = False,
         scene: tuple[object, ...] = (),
-        opened: object = None,
     ) -> None:
         """Let ``draw`` draw a moment; ``whole`` asks for all its detail.
 
         ``scene`` is what else the picture depends on: when it is another one than before, the
-        picture does not stand still, or what has changed would only fade in. ``opened`` is the
-        scene itself, which may be drawn in parts.
+        picture does not stand still, or what has changed would only fade in.
         """
         self._began = glfw.get_time()
         shown = moment.pose, moment.stroke, moment.size, moment.wireframe, scene
         self._moved, self._shown = shown != self._shown, shown
         if not whole:
             moment = replace(moment, detail=self._pace.detail)
-        self._stretch.draw(moment, draw, self._pace.interlaced and not whole, opened)
+        self._stretch.draw(moment, draw, self._pace.interlaced and not whole)
 
     def show(self, window: Any) -> None:
         """Show what was drawn, and take note of how long it took."""
@@ -70,8 +68,7 @@ class Steady:
         # To swap is to copy the picture, at least in software; but it may also wait.
         spent = drawn - self._began
         spent += min(now - drawn, spent / 4)
-        wrong = self._stretch.wrong()
-        self._pace.frame(spent, max(now - self._ended, 0.0), self._moved, wrong)
+        self._pace.frame(spent, max(now - self._ended, 0.0), self._moved)
         self._ended = now
 
     def release(self) -> None:

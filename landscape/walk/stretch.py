@@ -12,23 +12,22 @@ texture unit (GL_TEXTURE_FILTER_CONTROL, OpenGL 1.4).
 
 State used: a framebuffer object, viewport, both matrices, GL_TEXTURE_2D, GL_POLYGON_STIPPLE; depth
 test, fog and lighting off.
-
-What takes several frames to draw is in spread.py.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.extensions import texture_units
 from framelens.gl.seam import drawing, gl
+from framelens.gl.state import attrib, flat_projection
 from landscape.frame import scaled
 from landscape.gl.features import possible
 from landscape.gl.texture_target import TextureTarget
-from landscape.scene.scene import Moment, Parted
-from landscape.walk.covering import biased, cover, sized
-from landscape.walk.spread import Spread
+from landscape.scene.scene import Moment
 
 # The pixels of a block of 2 by 2 in the order in which frames draw them: the diagonal first.
 BLOCK = ((0, 0), (1, 1), (1, 0), (0, 1))
@@ -70,28 +69,15 @@ class Stretch:
         self._whole: TextureTarget | None = None  # what interlaced frames add up to
         self._part: tuple[float, ...] = (1.0, 1.0)  # the small picture's pixels in the window
         self._frame = 0  # of the interlaced ones
-        self._spread = Spread()
 
-    def draw(
-        self,
-        moment: Moment,
-        draw: Callable[[Moment], None],
-        interlaced: bool,
-        opened: object = None,
-    ) -> None:
+    def draw(self, moment: Moment, draw: Callable[[Moment], None], interlaced: bool) -> None:
         """Let ``draw`` draw a moment by its detail, and show it in the whole window.
 
         ``interlaced`` frames have a scale of a half or a quarter, and follow each other with the
-        same pose. The others are drawn in parts, if the scene that is ``opened`` is a Parted one.
+        same pose.
         """
         if moment.detail.scale < 1.0 and not possible("pictures of fewer pixels in a walk"):
-            moment = replace(moment, detail=replace(moment.detail, scale=1.0, spread=1))
-        if moment.detail.scale < 1.0 and not interlaced and isinstance(opened, Parted):
-            self._frame = 0
-            self._spread.draw(moment, opened)
-            return
-        if not interlaced:
-            self._spread.forget()
+            moment = replace(moment, detail=replace(moment.detail, scale=1.0))
         if moment.detail.scale >= 1.0:
             self._frame = 0
             self.release()
@@ -103,7 +89,7 @@ class Stretch:
             small = self._draw_small(moment, draw)
             with drawing("stretch"):
                 gl.glViewport(0, 0, *moment.size)
-                cover(small, self._part)
+                _cover(small, self._part)
 
     def _draw_small(
         self, moment: Moment, draw: Callable[[Moment], None], bias: float = 0.0
@@ -112,9 +98,9 @@ class Stretch:
         scale = moment.detail.scale
         width, height = (scaled(side, scale) for side in moment.size)
         self._part = tuple(side * scale for side in moment.size)
-        self._small = sized(self._small, (width, height))
+        self._small = _sized(self._small, (width, height))
         # The frame clears what it draws to.
-        with self._small.drawing(clear=False), biased(bias):
+        with self._small.drawing(clear=False), _biased(bias):
             draw(moment)
         return self._small
 
@@ -123,39 +109,96 @@ class Stretch:
         side = round(1 / moment.detail.scale)
         order = phases(side)
         pixel = order[self._frame % len(order)]
-        self._whole = whole = sized(self._whole, moment.size)
-        # Until it is complete, the picture's other pixels are those that were stretched last.
-        stands_in = self._frame == 0 and (self._spread.has_picture or self._small is not None)
+        self._whole = whole = _sized(self._whole, moment.size)
+        stands_in = self._frame == 0 and self._small is not None
         if stands_in:
+            # Until it is complete, the picture's other pixels are those that were stretched last.
+            assert self._small is not None
             with drawing("stretch"), whole.drawing(clear=False):
-                if self._spread.has_picture:
-                    self._spread.cover(moment)
-                else:
-                    assert self._small is not None
-                    cover(self._small, self._part)
-        self._spread.forget()
+                _cover(self._small, self._part)
 
         detail = replace(moment.detail, shift=phase_shift(pixel, side))
         small = self._draw_small(replace(moment, detail=detail), draw, -math.log2(side))
         with drawing("stretch"):
             with whole.drawing(clear=False):
                 if self._frame == 0 and not stands_in:
-                    cover(small, self._part)
-                cover(small, self._part, stipple(pixel, side))
+                    _cover(small, self._part)
+                _cover(small, self._part, stipple(pixel, side))
             gl.glViewport(0, 0, *moment.size)
-            cover(whole, moment.size, exact=True)
+            _cover(whole, moment.size, exact=True)
 
         self._frame += 1
 
-    def wrong(self) -> float | None:
-        """Return how much of a picture was not as the one before showed it, once; None: unknown."""
-        wrong, self._spread.wrong = self._spread.wrong, None
-        return wrong
-
     def release(self) -> None:
         """Delete the textures; may be called twice."""
-        self._spread.release()
         for target in (self._small, self._whole):
             if target is not None:
                 target.release()
         self._small = self._whole = None
+
+
+def _sized(target: TextureTarget | None, size: tuple[int, int]) -> TextureTarget:
+    """Return the target if it has that size, else a new one in its place."""
+    if target is not None and target.size == size:
+        return target
+    if target is not None:
+        target.release()
+    return TextureTarget(size)
+
+
+@contextmanager
+def _biased(bias: float) -> Iterator[None]:
+    """Add ``bias`` to the mip levels that all texture units choose in the block."""
+    if not bias or not possible("sharper textures"):
+        yield
+        return
+    units = range(texture_units())
+
+    def add(value: float) -> None:
+        for unit in units:
+            gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
+            gl.glTexEnvf(gl.GL_TEXTURE_FILTER_CONTROL, gl.GL_TEXTURE_LOD_BIAS, value)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+
+    add(bias)
+    try:
+        yield
+    finally:
+        add(0.0)
+
+
+def _cover(
+    target: TextureTarget,
+    part: Sequence[float],
+    pattern: np.ndarray | None = None,
+    exact: bool = False,
+) -> None:
+    """Cover the viewport with the lower left ``part`` pixels of a texture, by the pattern.
+
+    Neighbouring texels are mixed, unless there is a pattern or each is ``exact``ly a pixel.
+    """
+    s, t = (pixels / side for pixels, side in zip(part, target.size, strict=True))
+    groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT | gl.GL_POLYGON_STIPPLE_BIT
+    near = exact or pattern is not None
+    with attrib(groups), flat_projection(0, 1, 0, 1, -1, 1):
+        for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING, gl.GL_BLEND, gl.GL_CULL_FACE):
+            gl.glDisable(off)
+        gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)
+        if pattern is not None:
+            gl.glEnable(gl.GL_POLYGON_STIPPLE)
+            gl.glPolygonStipple(pattern)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        target.bind()
+        kind = gl.GL_NEAREST if near else gl.GL_LINEAR
+        gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAG_FILTER, kind)
+        gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER, kind)
+
+        # Not modulated by a colour: that would cost another third.
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
+        gl.glBegin(gl.GL_QUADS)
+        for x, y in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)):
+            gl.glTexCoord2f(s * x, t * y)
+            gl.glVertex2f(x, y)
+        gl.glEnd()
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
