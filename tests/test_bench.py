@@ -110,10 +110,12 @@ def test_the_default_views_and_counts_are_the_documented_ones() -> None:
     assert list(options.grass) == [200_000, 1_500_000, 10_000_000]
     assert options.samples == 0
     settings = {name: options.values(*find_view(name)) for name in options.views}
-    # fig35e alone has something of its own: the report's haze.
+    # Two have something of their own: fig35e the report's haze, fig35h a narrower angle.
     haze = settings["fig35e"].fog
     assert haze == replace(preset("best").fog, density=0.12)
     settings["fig35e"] = replace(settings["fig35e"], fog=preset("best").fog)
+    assert settings["fig35h"].camera == replace(preset("best").camera, fov=40.0)
+    settings["fig35h"] = replace(settings["fig35h"], camera=preset("best").camera)
     assert set(settings.values()) == {preset("best")}
 
 

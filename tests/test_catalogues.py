@@ -65,10 +65,14 @@ def run_here(
     def run_once(*words: str) -> Done:
         monkeypatch.setattr(sys, "argv", [str(SCRIPT), *words])
         status: object = 0
+        pipes = signal.getsignal(signal.SIGPIPE) if hasattr(signal, "SIGPIPE") else None
         try:
             runpy.run_path(str(SCRIPT / "__main__.py"), None, "__main__")
         except SystemExit as end:
             status = end.code
+        finally:
+            if pipes is not None:
+                signal.signal(signal.SIGPIPE, pipes)
         seen = capsys.readouterr()
         said = f"{status}\n" if isinstance(status, str) else ""
         return Done(1 if said else int(str(status)), seen.out, seen.err + said)

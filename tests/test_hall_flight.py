@@ -94,7 +94,7 @@ def test_a_flight_is_a_motion_of_the_picture_though_the_walker_stands() -> None:
 
         shown = frozenset({"flight"})
         settings = with_settings(Settings(), {"flight.enabled": True})
-        flight = flight()
+        elements = {Flight: flight()}
         eye = Hall.eye
 
     hall = Flying()

@@ -69,7 +69,7 @@ def test_grazing_surfaces_mirror_all_and_facing_ones_little() -> None:
 def drawn(stage: Stage, folder, sheen: float, **more: float) -> np.ndarray:
     write_ply(folder / "dragon.ply", PLATE, np.array([(0, 1, 2, 3)]))
     dragon = made("dragon", small({**LIT, "dragon.sheen": sheen, **more}), Assets(folder))
-    with stage.frame(dragon._settings, SOUTH) as frame:
+    with stage.frame(dragon.settings, SOUTH) as frame:
         dragon.draw(frame)
         got = pixel(stage.read(), (80.5, 60.5))
     dragon.release()

@@ -149,7 +149,7 @@ class _Video:
                 context.gop_size = math.ceil(KEY_SECONDS * fps)
                 context.color_primaries = context.color_trc = context.colorspace = BT709
                 context.color_range = 1  # levels 16 to 235, as all players expect
-                context.thread_type = "AUTO"
+                context.thread_count = 1  # x264's threads give other bytes each time
                 self._stream = stream
         except BaseException:
             self.discard()
@@ -164,6 +164,8 @@ class _Video:
             frame = frame.reformat(
                 format="yuv420p", dst_colorspace="ITU709", dst_color_range="MPEG"
             )
+            # A copy: the bytes of a film would depend on what lies beside the rows of the frame.
+            frame = self._av.VideoFrame.from_ndarray(frame.to_ndarray(), format="yuv420p")
             frame.pts = None
             self._container.mux(self._stream.encode(frame))
 

@@ -23,7 +23,7 @@ from landscape.files.assets import shipped
 from landscape.files.meshes import read_mesh
 from landscape.studio.lessons import teapot
 
-DATA = Path(__file__).resolve().parents[1] / "lessons" / "data"
+DATA = Path(__file__).resolve().parents[2] / "course" / "lessons" / "data"
 ISLAND = (20, 16, 480)  # chosen: left, top and side of the island, in texels of height16.png
 HIGHEST = 0.84  # of 65535: the island's summit, which becomes 1
 LETTER = (10, 20)  # pixels; course/lessons/text.py has them, too
