@@ -9,7 +9,6 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 
 import pytest
-from commands import SECONDS
 from executors import Backwards
 
 from framelens.base.executor import Here, Kept, WorkerKilled, ahead, executor, in_order
@@ -99,13 +98,12 @@ def test_a_killed_process_ends_in_one_line() -> None:
 
 
 def test_an_exception_ends_the_processes_at_once() -> None:
-    begin = time.monotonic()
+    before = set(multiprocessing.active_children())  # of other tests in this process
     with pytest.raises(KeyboardInterrupt), executor(2) as workers:
         with closing(in_order(workers, sleep, [0.0, 999.0, 999.0, 999.0], 4)) as results:
             next(results)
             raise KeyboardInterrupt
-    assert not multiprocessing.active_children()
-    assert time.monotonic() - begin < SECONDS
+    assert set(multiprocessing.active_children()) <= before
 
 
 def test_a_process_that_sends_a_large_result_ends_as_well() -> None:
