@@ -1,7 +1,7 @@
 """How the program was installed, and so how more can be installed beside it.
 
-The distribution is that of the package that speaks to the user: `framelens`, or `landscape-gl`,
-whose package and command are named `landscape`.
+The distribution is `framelens`, or `landscape-gl` where the package that speaks to the user is
+`landscape`.
 """
 
 import json

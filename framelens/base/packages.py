@@ -63,5 +63,5 @@ def add(name: str, file: str, unseen: tuple[str, ...] = ()) -> None:
 
 
 def speaker() -> str:
-    """Return the name that lines for the user begin with: that of the package added last."""
+    """Return the name of the package added last, with which lines for the user begin."""
     return PACKAGES[-1].name

@@ -76,7 +76,7 @@ def pixel(text: str) -> tuple[int, int]:
 
 
 def settle_language(options: argparse.Namespace) -> None:
-    """Where a command has a language and none is asked for, choose that of the environment."""
+    """Take the language from the environment where a command has --lang and none was given."""
     if "lang" in options:
         options.lang = options.lang or choose(os.environ)
 

@@ -159,7 +159,7 @@ class Inspector:
     def explain(self, lines: Sequence[str], place: str) -> None:
         """Show why a pixel or the picture looks as it does, and choose the call to blame, if any.
 
-        ``place`` is that of the call, "" where none is listed.
+        ``place`` is where the call stands in the list, "" where it is not listed.
         """
         self.history = None
         self.say()

@@ -75,6 +75,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", type=option_values.number, default=0.0, metavar="SECONDS", help=AT)
     parser.add_argument("--out", type=Path, metavar="DIR|FILE", help=OUT)
     parser.add_argument("--jobs", type=option_values.jobs, metavar="N", help=JOBS)
+
+    # Instead of the window: measures, and an environment as files.
     parser.add_argument("--bench", action="store_true", help=BENCH)
     parser.add_argument(
         "--json", type=Path, metavar="FILE", help="with --bench: write the results as JSON"
@@ -82,6 +84,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--profile", action="store_true", help=PROFILE)
     parser.add_argument("--rank", type=Path, nargs="+", metavar="FILE.json", help=RANK)
     parser.add_argument("--export", type=Path, dest="folder", metavar="DIR", help=FOLDER)
+
     parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     parser.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
     settings_options(

@@ -50,6 +50,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("view", nargs="?", default="", metavar="VIEW", help=BEGIN)
     pose_option(parser)
     kt_option(parser, f"at the beginning: {KT}")
+
+    # The window.
     parser.add_argument(
         "--size",
         type=option_values.size,
@@ -58,11 +60,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     language_option(parser, "language of the window")
+
+    # Files that it reads and writes.
     edits_option(parser)
     parser.add_argument("--world", type=Path, metavar="FILE", help=f"{WORLD}, loaded and saved")
     parser.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
     parser.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
     parser.add_argument("--path", metavar="FILE.svg", help=ALONG)
+
+    # How long it runs, and how finely it is drawn.
     parser.add_argument(
         "--fps",
         type=option_values.rate,

@@ -51,8 +51,15 @@ FLICKER = 0.0022  # chosen: units that the flame's light moves
 FLAME = (0.022, 0.062)  # chosen: half the width of the flame, and its height
 LOW = 0.4  # chosen: how far the flame begins below its light, in its heights
 IRON = (0.46, 0.39, 0.34)  # chosen
-BOWL = ((0.0015, -0.024), (0.0045, -0.019), (0.0072, -0.011), (0.0085, -0.004), (0.0098, -0.002),
-        (0.0098, 0.0), (0.0084, 0.001))  # fmt: skip  # radius, height
+BOWL = (  # radius, height
+    (0.0015, -0.024),
+    (0.0045, -0.019),
+    (0.0072, -0.011),
+    (0.0085, -0.004),
+    (0.0098, -0.002),
+    (0.0098, 0.0),
+    (0.0084, 0.001),
+)
 VEIL = (1.0, 0.75, 0.25, 0.16)  # chosen: RGBA of the volume where it is shown
 
 Volume = tuple[np.ndarray, np.ndarray]  # vertices (n, 3), triangles (m, 3)
