@@ -145,12 +145,17 @@ def test_f1_asks_why_a_pixel_looks_so_and_chooses_the_call_to_blame(
         window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^Telling")
         xdotool(screen, "windowfocus", "--sync", window)
         xdotool(screen, "mousemove", "--window", window, "160", "120")
-        xdotool(screen, "key", "F1")
-        time.sleep(1.0)
-        # The call to blame is chosen: Delete leaves it out.
-        xdotool(screen, "key", "Delete", "ctrl+s")
         saved = tmp_path / "edits-0001.json"
-        _wait_for(lambda: saved.exists(), process, "the edit of the call to blame")
+
+        def leave_it_out() -> bool:
+            """Ask, and leave out the call that is then chosen; nothing is before the answer."""
+            xdotool(screen, "key", "F1")
+            time.sleep(1.0)
+            xdotool(screen, "key", "Delete", "ctrl+s")
+            time.sleep(1.0)
+            return saved.exists()
+
+        _wait_for(leave_it_out, process, "the edit of the call to blame")
     finally:
         process.kill()
         process.wait()

@@ -497,10 +497,13 @@ def test_a_full_screen_replay_is_drawn_at_the_size_of_the_screen(
 
 
 def xdotool(screen: dict[str, str], *words: str) -> str:
-    """Run xdotool; return what it prints."""
-    done = subprocess.run(
-        ["xdotool", *words], env=screen, capture_output=True, text=True, timeout=SECONDS
-    )
+    """Run xdotool; return what it prints. A window may end while all are searched: try again."""
+    for _ in range(100):
+        done = subprocess.run(
+            ["xdotool", *words], env=screen, capture_output=True, text=True, timeout=SECONDS
+        )
+        if "search" not in words or "BadWindow" not in done.stderr:
+            break
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()
 

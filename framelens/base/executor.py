@@ -15,8 +15,7 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from itertools import islice
-from multiprocessing.connection import Connection
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 from framelens.base.errors import InputError
 from framelens.system import starting_workers
@@ -28,6 +27,13 @@ Result = TypeVar("Result")
 EACH = 4  # chosen: results of each worker that may wait for an earlier one
 GRACE = 0.1  # chosen: seconds in which a worker that is to end has sent its last result
 KILLED = "a process was killed (perhaps out of memory)"
+
+
+class PipeEnd(Protocol):
+    """The end of a pipe, of which each system has a class of its own."""
+
+    def poll(self, timeout: float | None, /) -> bool:
+        """Wait until there is something to read, or the other end is closed."""
 
 
 class WorkerKilled(InputError):
@@ -92,13 +98,13 @@ _task = threading.Lock()
 _at_work = False
 
 
-def _begin(parent: Connection) -> None:
+def _begin(parent: PipeEnd) -> None:
     """Initialise a worker process."""
     begin_worker()
     threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
 
 
-def _end_with(parent: Connection) -> None:
+def _end_with(parent: PipeEnd) -> None:
     """End this process once the parent has closed its end of a pipe."""
     parent.poll(None)
     until = time.monotonic() + GRACE

@@ -1,8 +1,8 @@
 """pygame for a program that is run to a frame: a hidden window, a held clock, events from a list.
 
-Without a screen, SDL's driver "offscreen" draws by EGL. On one, a framebuffer object takes the
-place of the hidden window's (framelens/gl/window_framebuffer.py). The program sees the events of the list
-and those it posts itself; SDL's own are never read.
+Without a screen, SDL's driver "offscreen" draws by EGL. On one, a framebuffer object stands for the
+framebuffer of the hidden window (framelens/gl/window_framebuffer.py). The program sees the events
+of the list and those it posts itself; SDL's own are never read.
 """
 
 import importlib.util
