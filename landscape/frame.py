@@ -1,9 +1,8 @@
-"""What an element receives about the frame it draws. No element reads a clock."""
+"""The frame that an element draws: its pose, size, time and camera. No element reads a clock."""
 
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -37,7 +36,7 @@ class Pose:
         )
 
 
-def checked_pose(value: Any, given: str = "") -> Pose:
+def checked_pose(value: object) -> Pose:
     """Return a pose from x, y, z and perhaps yaw and pitch; a y of "ground" becomes None."""
     numbers = value
     if isinstance(value, Pose):
@@ -46,15 +45,16 @@ def checked_pose(value: Any, given: str = "") -> Pose:
     if isinstance(numbers, (list, tuple)) and 3 <= len(numbers) <= 5 + isinstance(value, Pose):
         y = numbers[1]
         grounded = y is None or (isinstance(y, str) and y == "ground")
-        # In place of a y on the ground, which need not be checked, any number will do.
+        # A y on the ground is no number: any number stands in for it while all are checked.
         checked = [finite(0.0 if grounded and k == 1 else v) for k, v in enumerate(numbers)]
-        found = [each for each in checked if each is not None]
-        if len(found) == len(numbers):
-            x, height, *others = found
-            return Pose(x, None if grounded else height, *others)
+        valid = [number for number in checked if number is not None]
+        if len(valid) == len(numbers):
+            x, height, *angles = valid
+            return Pose(x, None if grounded else height, *angles)
+
     raise InputError(
         "{value}: expected the numbers x, y, z, yaw and pitch; y may be `ground`",
-        value=given or f"pose {short(value)}",
+        value=f"pose {short(value)}",
     )
 
 

@@ -23,9 +23,7 @@ from stage import Stage, close, pixel, project, small, taken
 from landscape.elements.atlas import CELLS, COLUMNS, cell_coordinates, laid_out
 from landscape.elements.best.sprites.refined_atlas import (
     FLOWERING,
-    HERB,
     HERB_ROWS,
-    HERBS,
     TOP_OF_CELL,
     TOPS_CELLS,
     top_coordinates,
@@ -35,6 +33,7 @@ from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.sprites.rules import crossing
 from landscape.elements.ground import Ground
 from landscape.elements.planting import PLANT
+from landscape.elements.sprite_names import HERB, HERBS
 from landscape.frame import Pose
 
 FERN, OXEYE = HERB, HERB + 1

@@ -16,16 +16,15 @@ from landscape.elements.best.sprites.individuals import (
     CONTACT,
     FIRST,
     HAZEL,
-    MORE_FILES,
     OAK_LEANING,
     UNDERGROWTH,
     files,
 )
-from landscape.elements.best.sprites.refined_atlas import HERBS
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.sprites.relighting import corner_light
 from landscape.elements.planting import DEER
 from landscape.elements.settings import preset
+from landscape.elements.sprite_names import HERBS, MORE_FILES
 from landscape.files.images import bled
 from landscape.geometry.height_field import greenness
 from landscape.settings.declare import with_settings

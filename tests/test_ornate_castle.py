@@ -37,6 +37,7 @@ from landscape.elements.best.castle.pennants import (
     pennant_vertices,
 )
 from landscape.elements.best.castle.roofs import KEEP_ROOF, MASTS, ornate_outlines, roofs
+from landscape.elements.best.terrain.casts import cast_castle
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.castle import Castle
 from landscape.elements.settings import TIMES, Sun, preset
@@ -200,7 +201,7 @@ def test_the_castle_shades_the_ground_behind_it(stage: Stage, plain: Assets) -> 
     settings = small({**SETTINGS, "castle.ornate": True})
     castle = OrnateCastle(settings, plain, FLAT)
     shadows = ShadowMap(FLAT, np.array([0.0, 0.7071, 0.7071]), 800)
-    castle.cast(shadows)
+    cast_castle(castle, shadows)
     castle.release()
     light = shadows.light()[..., 1] / 255
 
@@ -215,7 +216,7 @@ def test_the_shadow_turns_with_the_castle(stage: Stage, plain: Assets) -> None:
     settings = small({**SETTINGS, "castle.yaw": 30.0})
     castle = Castle(settings, plain, FLAT)
     shadows = ShadowMap(FLAT, np.array([0.0, 1.0, 0.0]), 800)
-    castle.cast(shadows)
+    cast_castle(castle, shadows)
     castle.release()
     light = shadows.light()[..., 1] / 255
     corners = (np.insert(np.array(CORNERS), 1, 0.5, axis=1) - 0.5) @ rotation(30.0)

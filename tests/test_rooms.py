@@ -32,6 +32,7 @@ LANDSCAPE = (
     ("flyover",),
     ("gl",),
     ("elements",),
+    ("elements.best",),
     ("scene",),
     ("island", "hall", "voxel"),
     ("offscreen",),

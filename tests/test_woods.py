@@ -8,12 +8,12 @@ from hill import grow, hill, refine
 from stage import Stage
 
 from landscape.elements.best.sprites.herbs import herbs_by_place
-from landscape.elements.best.sprites.refined_atlas import HERB, HERBS
 from landscape.elements.best.sprites.refined_planting import TintedSprites, plant_refined
 from landscape.elements.best.sprites.woods import SHRUB, drifts_of, species_by_place, woodland
 from landscape.elements.ground import Ground
 from landscape.elements.planting import COURT, PLANT
 from landscape.elements.settings import preset
+from landscape.elements.sprite_names import HERB, HERBS
 from landscape.files.assets import Assets
 from landscape.settings.declare import with_settings
 

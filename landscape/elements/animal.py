@@ -14,7 +14,6 @@ import numpy as np
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, front_faces, matrix
 from framelens.gl.texture import Texture
-from landscape.elements.best.terrain.shadows import SKY_HIDDEN, ShadowMap, cast_points
 from landscape.elements.element import Element
 from landscape.elements.settings import Settings
 from landscape.elements.sun import lit
@@ -48,13 +47,16 @@ class Animal(Element[Settings], ABC):
         yaw_deg: float,
         scale: float,
     ) -> None:
-        """Scale a mesh of -1..1 to ``scale`` units and place it at ``place``."""
+        """Scale a mesh of -1..1 to ``scale`` units and place it at ``place``.
+
+        ``reach`` is the radius of its bounding sphere, in units.
+        """
         self.settings = settings
-        self._place = place
+        self.place = place
         self._yaw = yaw_deg
         self._scale = scale
         self._vertices = mesh.vertices
-        self._reach = scale * float(np.linalg.norm(mesh.vertices, axis=1).max(initial=0.0))
+        self.reach = scale * float(np.linalg.norm(mesh.vertices, axis=1).max(initial=0.0))
         self._closed = is_closed(mesh.triangles)
         self._texture = Texture(read_image(assets.path("animal.png"), "RGB"))
         self._lists = self._compile(mesh)
@@ -76,7 +78,7 @@ class Animal(Element[Settings], ABC):
     def draw(self, frame: Frame) -> None:
         """Draw the mesh at its place; with ``camera.cull``, without its back faces."""
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
-            gl.glTranslatef(*self._place)
+            gl.glTranslatef(*self.place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             lit(self.settings.shading)
             self._set_material()
@@ -90,7 +92,7 @@ class Animal(Element[Settings], ABC):
     def send(self, frame: Frame) -> None:
         """Send the mesh at its place, whatever the state; back faces are left out as by draw."""
         with matrix(), front_faces(self._closed and self.settings.camera.cull):
-            gl.glTranslatef(*self._place)
+            gl.glTranslatef(*self.place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             self._list(frame).call()
 
@@ -98,16 +100,15 @@ class Animal(Element[Settings], ABC):
         """Set the material: in 2006 only its colour, by GL_COLOR_MATERIAL."""
         gl.glColor4f(*COLOR)
 
-    def cast(self, shadows: ShadowMap) -> None:
-        """Cast the mesh's shadow, a point per vertex, and darken the ground under it."""
+    def vertices(self) -> np.ndarray:
+        """Return where the mesh's vertices (n, 3) are on the island, in units."""
         yaw = math.radians(self._yaw)
         x, y, z = self._scale * self._vertices.T
-        points = np.stack(
+        turned = np.stack(
             [x * math.cos(yaw) + z * math.sin(yaw), y, z * math.cos(yaw) - x * math.sin(yaw)],
             axis=1,
         )
-        cast_points(shadows, points + np.array(self._place))
-        shadows.hide_sky(np.array([self._place]), np.array([self._reach]), SKY_HIDDEN)
+        return turned + np.array(self.place)
 
     def release(self) -> None:
         """Delete the lists and the texture; may be called twice."""

@@ -21,7 +21,6 @@ import numpy as np
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, matrix
 from framelens.gl.texture import Texture
-from landscape.elements.best.terrain.shadows import ShadowMap, cast_outlines, shade_foot
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, draw_fire
 from landscape.elements.castle_gate import draw_gate_in_layers
 from landscape.elements.element import Element, Site
@@ -39,7 +38,6 @@ from landscape.geometry.masonry import (
     TOWER_RADIUS,
     TOWER_TOP,
     WALL,
-    on_edges,
     outlines,
     tower_mesh,
     walls_mesh,
@@ -51,7 +49,6 @@ from landscape.gl.draw import draw_mesh
 
 TORCH_BASE, TORCH_TOP = 0.10, 0.215  # chosen: the flame starts at 0.21
 DOOR = 0.1, 0.36  # of the door's picture: half its width, and its height
-FOOT_SHADE = 0.22  # chosen: units from the walls within which they block part of the sky
 
 
 class Castle(Element[Settings]):
@@ -156,7 +153,7 @@ class Castle(Element[Settings]):
         across = x * math.cos(yaw) - z * math.sin(yaw)
         return across + 0.5, x * math.sin(yaw) + z * math.cos(yaw) + 0.5
 
-    def _outside(self, points: np.ndarray) -> np.ndarray:
+    def outside(self, points: np.ndarray) -> np.ndarray:
         """Return the island's x, z (n, 2) of places (n, 2) in the castle's own frame."""
         yaw = math.radians(self._yaw)
         turn = np.array([(math.cos(yaw), math.sin(yaw)), (-math.sin(yaw), math.cos(yaw))])
@@ -167,7 +164,7 @@ class Castle(Element[Settings]):
 
         In 2006 it was a picture of a shut door.
         """
-        before, behind = self._outside(np.array([(0.5, 0.0), (0.5, 1.0)]))
+        before, behind = self.outside(np.array([(0.5, 0.0), (0.5, 1.0)]))
         yaw = math.degrees(math.atan2(behind[0] - before[0], before[1] - behind[1])) % 360.0
         y, (half, height) = self.base[1], DOOR
         place = float(before[0]), float(before[1]), yaw
@@ -179,15 +176,8 @@ class Castle(Element[Settings]):
         return False
 
     def outlines(self, step: float) -> list[tuple[np.ndarray, float, float]]:
-        """Return the outlines that cast the shadow, see the function :func:`outlines`."""
+        """Return its outlines on the ground, from which shadows are cast: see masonry.outlines."""
         return outlines(step)
-
-    def cast(self, shadows: ShadowMap) -> None:
-        """Cast the shadow of walls and towers, and darken the ground along their base."""
-        step = 0.7 * shadows.texel
-        for line, low, high in self.outlines(step):
-            cast_outlines(shadows, self._outside(line), low, high, step)
-        shade_foot(shadows, self._outside(on_edges(CORNERS, FOOT_SHADE / 2)), FOOT_SHADE)
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass: walls and towers.

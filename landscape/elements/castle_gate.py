@@ -32,10 +32,14 @@ def draw_gate_in_layers(
     # From a distance the depth buffer cannot separate the layers from the wall.
     gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
     gl.glNormal3f(0.0, 0.0, -1.0)
+
+    # The door covers the bricks where its picture is opaque.
     gl.glPolygonOffset(-1.0, -2.0)
     gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
     door.bind()
     gate_quad(-0.001, 0.0, 0.0)
+
+    # The light multiplies both.
     gl.glDisable(gl.GL_LIGHTING)
     gl.glPolygonOffset(-2.0, -4.0)
     gl.glBlendFunc(gl.GL_DST_COLOR if brightening else gl.GL_ZERO, gl.GL_SRC_COLOR)
@@ -46,13 +50,14 @@ def draw_gate_in_layers(
 
 def gate_quad(z: float, shift_s: float, shift_t: float) -> None:
     """Send a layer over the gate wall; s may shift at its far side, and t at its top."""
-    gl.glBegin(gl.GL_QUADS)
-    for s, t, x, y in (
+    corners = (
         (0.0, 1.0, 0.0, 0.0),
         (0.0, -shift_t, 0.0, 1.0),
         (1.0 - shift_s, -shift_t, 1.0, 1.0),
         (1.0 - shift_s, 1.0, 1.0, 0.0),
-    ):
+    )
+    gl.glBegin(gl.GL_QUADS)
+    for s, t, x, y in corners:
         gl.glTexCoord2f(s, t)
         gl.glVertex3f(x, y, z)
     gl.glEnd()

@@ -2,10 +2,10 @@
 
 Technique: GL_FOG in mode GL_EXP2, f = exp(-(density * distance)^2), enabled once for all elements.
 Because of the square, the near scene stays clear and the fog then thickens fast. The distance may
-be the radial distance from the eye or the eye-space depth: OpenGL allows both, and most take the
-depth. GL_NV_fog_distance (2001) lets one choose.
+be the radial distance from the eye or the eye-space depth: OpenGL allows both, and most drivers
+take the depth. With GL_NV_fog_distance (2001) a program can choose.
 What is wrong with it: by the depth, the same tree is less fogged at the side of the picture than in
-its middle, and the fog on it changes as one turns (switch ``fog.radial``); what is drawn in several
+its middle, and the fog on it changes as you turn (switch ``fog.radial``); what is drawn in several
 blended layers is fogged several times (``castle.multitexture``, R11), and the sky box most in its
 corners (``sky.unfogged``, R10).
 State used: GL_FOG and its parameters.
@@ -43,13 +43,13 @@ def enable(fog: Fog) -> None:
         gl.glFogf(gl.GL_FOG_END, fog.end)
 
 
-# Contexts in which another distance than OpenGL's own was chosen, with their display lists: a later
-# context may have the number of a former one, but not its lists.
+# Contexts in which a distance was chosen, with their display lists: a later context may have the
+# number of a former one, but not its lists.
 _chosen: dict[int, Lists] = {}
 
 
 def _choose_distance(radial: bool) -> None:
-    """Let fog go by the distance from the eye, or again by the depth, as OpenGL does by itself."""
+    """Compute fog by the radial distance, or again by the depth, where OpenGL offers the choice."""
     if radial and not possible("fog.radial"):
         return
     if radial:

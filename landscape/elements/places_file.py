@@ -14,9 +14,8 @@ import numpy as np
 
 from framelens.base.errors import InputError, short
 from framelens.base.input import read_bounded
-from landscape.elements.best.sprites.individuals import MORE, MORE_FILES
-from landscape.elements.best.sprites.refined_atlas import HERB, HERBS
 from landscape.elements.planting import DEER, PLANT, Sprites
+from landscape.elements.sprite_names import HERB, HERBS, MORE, MORE_FILES
 from landscape.geometry.height_field import HeightField
 
 RANDOM = "random"  # the value of transparent.places that names no file

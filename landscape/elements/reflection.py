@@ -28,7 +28,8 @@ MIRROR = np.diag([1.0, -1.0, 1.0, 1.0]).astype(np.float32)  # section 3.1
 @contextmanager
 def mirrored(settings: Settings) -> Iterator[None]:
     """Draw the block's elements as the water mirrors them."""
-    level, outside = settings.water.level, drawn_now()
+    level = settings.water.level
+    outside = drawn_now()  # in a recording, the block's calls belong to who draws them
     with drawing("reflection"), matrix(), attrib(gl.GL_POLYGON_BIT | gl.GL_LIGHTING_BIT):
         gl.glTranslatef(0.0, level, 0.0)
         gl.glMultMatrixf(MIRROR)

@@ -50,12 +50,14 @@ def shine(sun: Sun) -> None:
     gl.glLightfv(gl.GL_LIGHT0, gl.GL_SPECULAR, np.array([*SPECULAR, 1.0], np.float32))
     gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, np.zeros(4, np.float32))
     gl.glEnable(gl.GL_LIGHT0)
+
     if sun.fill > 0.0:
         colour = np.array([*(sun.fill * np.array(sun.ambient)), 1.0], np.float32)
         gl.glLightfv(gl.GL_LIGHT1, gl.GL_DIFFUSE, colour)
         gl.glEnable(gl.GL_LIGHT1)
     else:
         gl.glDisable(gl.GL_LIGHT1)
+
     gl.glColorMaterial(gl.GL_FRONT_AND_BACK, gl.GL_AMBIENT_AND_DIFFUSE)
     place(sun)
 

@@ -125,9 +125,10 @@ class TransparentElements(Element[Settings]):
             self.stand(plant(settings, ground.field, seed, kinds))
         else:
             path = assets.path(shared.places, "transparent.places")
-            found, *_ = read_places(path, ground.field, kinds)
+            placed, *_ = read_places(path, ground.field, kinds)
             # Here all plants are of one kind.
-            self.stand(replace(found, cells=np.minimum(found.cells, PLANT)))
+            self.stand(replace(placed, cells=np.minimum(placed.cells, PLANT)))
+
         paths = [assets.path(name) for name in CELLS]
         levels = recall(
             ["atlas", shared.surround, *map(content, paths)],
@@ -138,47 +139,63 @@ class TransparentElements(Element[Settings]):
     def stand(self, sprites: Sprites) -> None:
         """Place these sprites on the island, and no others."""
         self.sprites = sprites
-        places, sizes = sprites.positions.astype(np.float32), sprites.sizes.astype(np.float32)
-        sprites, crossed = replace(sprites, positions=places, sizes=sizes), sprites.cells >= PLANT
-        self._boards, self._plants = sprites.only(~crossed), sprites.only(crossed)
-        self._board_st = cell_coordinates(self._boards.cells, self._boards.flipped, QUAD_S, QUAD_T)
+        drawn = replace(
+            sprites,
+            positions=sprites.positions.astype(np.float32),
+            sizes=sprites.sizes.astype(np.float32),
+        )
+        crossed = sprites.cells >= PLANT
+
+        self._boards = boards = drawn.only(~crossed)
+        self._board_st = cell_coordinates(boards.cells, boards.flipped, QUAD_S, QUAD_T)
+
+        self._plants = plants = drawn.only(crossed)
         s, t = np.tile(CROSS_S, 2), np.tile(CROSS_T, 2)
-        self._plant_st = cell_coordinates(self._plants.cells, self._plants.flipped, s, t)
+        self._plant_st = cell_coordinates(plants.cells, plants.flipped, s, t)
 
     def prepare(self, frame: Frame) -> tuple[np.ndarray, ...]:
         """Return the frame's vertices, texture coordinates and sorted indices.
 
         The mirrored scene is drawn from the same arrays, so the sort is done once a frame.
         """
-        shared, plants = self.settings.transparent, self.settings.plants
+        shared = self.settings.transparent
+        boards = visible(frame, self._boards.positions, shared.radius)
+        plants = visible(frame, self._plants.positions, shared.radius)
+        quads = self._billboards(frame, boards)
+        crosses = self._crossed_quads(frame, plants)
 
-        seen = visible(frame, self._boards.positions, shared.radius)
-        places = self._boards.positions[seen]
+        # A row of six indices is a billboard, or half of a crossed quad: two triangles.
+        quad_indices = 4 * np.arange(len(boards), dtype=np.uint32)[:, None] + QUAD
+        first = 4 * len(boards)  # the vertex after those of the billboards
+        firsts = np.arange(first, first + 12 * len(plants), 12, dtype=np.uint32)
+        cross_indices = (firsts[:, None, None] + CROSS).reshape(-1, 6)
+        indices = np.concatenate([quad_indices, cross_indices])
+        if shared.sorted:
+            quad_depth = frame.depth(self._boards.positions[boards])
+            cross_depth = frame.depth(self._plants.positions[plants])
+            depth = np.concatenate([quad_depth, np.repeat(cross_depth, len(CROSS))])
+            indices = far_to_near(indices, depth)
+
+        quad_st, cross_st = self._board_st[boards], self._plant_st[plants]
+        return (
+            np.concatenate([quads.reshape(-1, 3), crosses.reshape(-1, 3)]),
+            np.concatenate([quad_st.reshape(-1, 2), cross_st.reshape(-1, 2)]),
+            indices.ravel(),
+        )
+
+    def _billboards(self, frame: Frame, which: np.ndarray) -> np.ndarray:
+        """Return the quads (n, 4, 3) of some trees and deer, turned towards the camera."""
         right, up = frame.right.astype(np.float32), frame.up.astype(np.float32)
-        boards = billboards(places, self._boards.sizes[seen], right, up)
-        board_indices = 4 * np.arange(len(seen), dtype=np.uint32)[:, None] + QUAD
-        board_depth, board_st = frame.depth(places), self._board_st[seen]
+        return billboards(self._boards.positions[which], self._boards.sizes[which], right, up)
 
-        seen = visible(frame, self._plants.positions, shared.radius)
-        places, sizes = self._plants.positions[seen], self._plants.sizes[seen]
+    def _crossed_quads(self, frame: Frame, which: np.ndarray) -> np.ndarray:
+        """Return the quads (n, 12, 3) of some plants, swaying in the wind."""
+        plants = self.settings.plants
+        places, sizes = self._plants.positions[which], self._plants.sizes[which]
         winds = sway(frame.kt, places, plants.sway)
         if plants.sway_by_size:
             winds *= sizes[:, 1:] / plants.size_max
-        crosses = crossed_quads(places, sizes, winds)
-        first = np.arange(4 * len(boards), 4 * len(boards) + 12 * len(seen), 12, dtype=np.uint32)
-        plant_indices = (first[:, None, None] + CROSS).reshape(-1, 6)
-        plant_depth, plant_st = frame.depth(places), self._plant_st[seen]
-
-        # A row of six indices is a billboard or half of a crossed quad.
-        indices = np.concatenate([board_indices, plant_indices])
-        if shared.sorted:
-            depth = np.concatenate([board_depth, np.repeat(plant_depth, len(CROSS))])
-            indices = far_to_near(indices, depth)
-        return (
-            np.concatenate([boards.reshape(-1, 3), crosses.reshape(-1, 3)]),
-            np.concatenate([board_st.reshape(-1, 2), plant_st.reshape(-1, 2)]),
-            indices.ravel(),
-        )
+        return crossed_quads(places, sizes, winds)
 
     def draw(self, frame: Frame, prepared: tuple[np.ndarray, ...] | None = None) -> None:
         """Blend the sprites, far to near, in the order that :meth:`prepare` found."""

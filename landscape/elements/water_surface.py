@@ -103,6 +103,7 @@ class WaterSurface(Element[Settings]):
         t = wave_time(frame.kt, water)
         normals = wave_normals(self._plane, t)
         coordinates = wave_coordinates(self._plane, t, water.repeat)
+
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with attrib(groups):
             gl.glColor4f(*water.color)
@@ -113,6 +114,8 @@ class WaterSurface(Element[Settings]):
             if water.textured:
                 gl.glEnable(gl.GL_TEXTURE_2D)
                 self._texture.bind()
+
+            # The waves are the same in each patch: only the translation differs.
             with client_arrays(self._vertices, normals, coordinates=[coordinates]):
                 for kx in PATCHES:
                     for kz in PATCHES:

@@ -1,4 +1,4 @@
-"""Display lists: what does not change is sent once and then called (OpenGL 1.0)."""
+"""Display lists: calls that OpenGL keeps, so that one call repeats them all (OpenGL 1.0)."""
 
 from collections.abc import Callable
 

@@ -24,7 +24,8 @@ from landscape.elements.best.sea.shallows import cut_level, submerged
 from landscape.elements.best.sea.under_water import UnderWater
 from landscape.elements.best.sprites.refined_sprites import RefinedSprites
 from landscape.elements.best.stones.stones import Stones
-from landscape.elements.best.terrain.shadows import cast_from, light_is_baked
+from landscape.elements.best.terrain.casts import cast_animal, cast_castle
+from landscape.elements.best.terrain.shadows import ShadowMap, cast_from, light_is_baked
 from landscape.elements.best.terrain.terrain import Terrain
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
@@ -139,19 +140,29 @@ class Island:
             return
         values = self.settings
         light = sun.direction(values.sun)
-        sprites = self.elements.get(RefinedSprites)
 
-        def shadows() -> tuple[np.ndarray]:
+        def light_map() -> tuple[np.ndarray]:
             shadow_map = ground.shadow_map(light)
-            for element in (sprites, self.castle, self._rabbit, self.stones):
-                if element and values.ground.shadows:
-                    element.cast(shadow_map)
+            if values.ground.shadows:
+                self._cast_shadows(shadow_map)
             left = np.array(values.sun.shade, np.float32)
             return (shadow_map.light(ground.open_light(shadow_map.side), left),)
 
         what = repr((cast_from(values), self._seed, sorted(self._only)))
         files = values.ground.height_image, values.rabbit.mesh, stones.FILE
-        ground.shade(*recall((what, *self._assets.contents(*files)), shadows))
+        ground.shade(*recall((what, *self._assets.contents(*files)), light_map))
+
+    def _cast_shadows(self, shadows: ShadowMap) -> None:
+        """Cast the shadows of what stands on the ground."""
+        sprites = self.elements.get(RefinedSprites)
+        if sprites is not None:
+            sprites.cast(shadows)
+        if self.castle is not None:
+            cast_castle(self.castle, shadows)
+        if self._rabbit is not None:
+            cast_animal(self._rabbit, shadows)
+        if self.stones is not None:
+            self.stones.cast(shadows)
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings, building again only the elements that cannot take them.

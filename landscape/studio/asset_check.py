@@ -13,12 +13,13 @@ from pathlib import Path
 import numpy as np
 
 from framelens.base.errors import InputError
-from landscape.elements.best.sprites.individuals import FIRST, MORE_FILES
-from landscape.elements.best.sprites.refined_atlas import CELLS, HERBS
+from landscape.elements.atlas import CELLS
+from landscape.elements.best.sprites.individuals import FIRST
 from landscape.elements.best.stones.shapes import read_shapes
 from landscape.elements.places_file import read_places
 from landscape.elements.planting import KINDS
 from landscape.elements.settings import TIMES, Settings, preset
+from landscape.elements.sprite_names import HERBS, MORE_FILES
 from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image
 from landscape.files.meshes import read_ply

@@ -19,8 +19,12 @@ from OpenGL.GL import *
 from text import _, write
 
 COLORS = (
-    *((0.85, 0.35, 0.2), (0.95, 0.62, 0.35), (0.95, 0.9, 0.8)),
-    *((0.25, 0.6, 0.6), (0.3, 0.5, 0.8), (0.55, 0.35, 0.6)),
+    (0.85, 0.35, 0.2),
+    (0.95, 0.62, 0.35),
+    (0.95, 0.9, 0.8),
+    (0.25, 0.6, 0.6),
+    (0.3, 0.5, 0.8),
+    (0.55, 0.35, 0.6),
 )
 vertices = 6
 each = True  # each vertex has a colour of its own
@@ -55,6 +59,7 @@ def draw():
     # Coordinates: y from -1 to 1, and x as much farther as the window is wider than high.
     glLoadIdentity()
     glScalef(height / width, 1, 1)
+
     glClearColor(0.13, 0.16, 0.21, 1)
     glClear(GL_COLOR_BUFFER_BIT)
     draw_triangle()

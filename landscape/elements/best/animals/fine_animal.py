@@ -92,7 +92,7 @@ class FineAnimal(Animal):
             allowed *= self.settings.reflection.lod_scale
         elif frame.detail.coarser > 1.0:
             allowed *= IN_MOTION
-        away = math.dist(frame.eye, self._middle(frame)) - self._reach
+        away = math.dist(frame.eye, self._middle(frame)) - self.reach
         unit = frame.pixels / max(away, self.settings.camera.near)
         return max(cube for cube in self._lists if cube * self._scale * unit <= allowed)
 
@@ -101,12 +101,12 @@ class FineAnimal(Animal):
 
     def _middle(self, frame: Frame) -> tuple[float, float, float]:
         """Return the animal's centre, or its mirror image if the frame is mirrored."""
-        x, y, z = self._place
+        x, y, z = self.place
         return x, mirrored_height(y, self.settings.water.level) if frame.mirrored else y, z
 
     def visible(self, frame: Frame) -> bool:
         """Return whether the bounding sphere, mirrored if the frame is, meets the view frustum."""
-        return ball_in_view(frame, self._middle(frame), self._reach)
+        return ball_in_view(frame, self._middle(frame), self.reach)
 
     def draw(self, frame: Frame) -> None:
         """Draw the mesh at its place; with ``camera.cull``, only if it is in view."""

@@ -69,7 +69,7 @@ class FineRabbit(FineAnimal):
 
     def stand_in(self, ground: Ground) -> None:
         """Take the light of the ground: in a shadow that is painted there, the sun is dimmed."""
-        sun, (x, _, z) = self.settings.sun, self._place
+        sun, (x, _, z) = self.settings.sun, self.place
         found = ground.light(np.array([x]), np.array([z]))[0]
         shade, full = np.array(sun.shade), painted(sun, float(direction(sun)[1]))
         if sun.relit:
@@ -86,7 +86,7 @@ class FineRabbit(FineAnimal):
             return
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
         with matrix(), attrib(groups):
-            gl.glTranslatef(*self._place)
+            gl.glTranslatef(*self.place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             lit(self.settings.shading)
             self._set_material()

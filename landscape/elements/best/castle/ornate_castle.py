@@ -165,7 +165,7 @@ class OrnateCastle(CastleInOnePass):
 
     def _ground_at(self, places: np.ndarray) -> np.ndarray:
         """Return the ground's height (n,) at places (n, 2) in the castle's own frame."""
-        x, z = self._outside(np.asarray(places, float)).T
+        x, z = self.outside(np.asarray(places, float)).T
         return np.asarray(self._field.height(x, z) - self.base[1])
 
     def _draw_open_door(self, frame: Frame) -> None:
@@ -194,7 +194,7 @@ class OrnateCastle(CastleInOnePass):
             return walls
         x0, z0, x1, z1, top = KEEP
         middle = np.array([[(x0 + x1) / 2, (z0 + z1) / 2]])
-        x, z = self._outside(middle)[0].tolist()
+        x, z = self.outside(middle)[0].tolist()
         sides, yaw = ((x1 - x0) / 2, (z1 - z0) / 2), math.radians(self._yaw)
         return (*walls, Wall(x, z, *sides, yaw, self.base[1] + top))
 

@@ -8,11 +8,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from landscape.elements.best.sprites.refined_atlas import HERB
 from landscape.elements.best.sprites.woods import drifts_of, outside_glades, woodland
 from landscape.elements.ground import Ground
 from landscape.elements.planting import COURT
 from landscape.elements.settings import Plants, Settings
+from landscape.elements.sprite_names import HERB
 from landscape.geometry.height_field import greenness
 
 # Chosen, for each herb in the order of its cells: the range of its heights as fractions of the

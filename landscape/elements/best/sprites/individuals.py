@@ -9,28 +9,14 @@ OpenGL here.
 import numpy as np
 
 from landscape.elements.atlas import CELLS, COLUMNS
-from landscape.elements.best.sprites.refined_atlas import HERBS
 from landscape.elements.best.sprites.woods import drifts_of, outward
 from landscape.elements.planting import DEER, Chance
 from landscape.elements.settings import Settings
+from landscape.elements.sprite_names import HERBS, MORE, MORE_FILES
 
 # The cells of trees and deer have the first individual; the others follow the herbs.
 FIRST = ("oak_old.png", "spruce_old.png", "birch_twin.png", "thorn.png", "stag.png", "doe.png")
 CONTACT = 15  # a cell that no picture has: the soft shadow at the feet
-MORE = 16
-MORE_FILES = (
-    "oak_leaning.png",
-    "oak_tall.png",
-    "oak_young.png",
-    "hazel.png",
-    "birch_tall.png",
-    "birch_young.png",
-    "pine.png",
-    "spruce_young.png",
-    "bramble.png",
-    "stag_walking.png",
-    "doe_grazing.png",
-)
 ROWS = 8
 CELL_COUNT = COLUMNS * ROWS
 (

@@ -22,8 +22,6 @@ from landscape.elements.best.sprites.backs import back_from_above
 from landscape.elements.planting import DEER
 from landscape.files.images import bled, mip_chain
 
-HERBS = ("fern.png", "oxeye.png", "willowherb.png", "marram.png", "heather.png")
-HERB = 8  # the first herb's cell; the pictures from above use the one before it
 HERB_ROWS = 4
 FLOWERING = (9, 10, 12)  # cells of herbs with their flowers on top
 

@@ -15,7 +15,6 @@ import numpy as np
 from landscape.elements.atlas import CELLS
 from landscape.elements.best.sprites import individuals
 from landscape.elements.best.sprites.herbs import herb_chances, herbs_by_place
-from landscape.elements.best.sprites.refined_atlas import HERB, HERBS
 from landscape.elements.best.sprites.rules import is_deer
 from landscape.elements.best.sprites.woods import (
     SHRUB,
@@ -40,6 +39,7 @@ from landscape.elements.planting import (
     site,
 )
 from landscape.elements.settings import Settings
+from landscape.elements.sprite_names import HERB, HERBS
 from landscape.geometry.height_field import HeightField, greenness
 
 # Chosen: how green the ground is and how steep at most where deer stand, and how far in units one

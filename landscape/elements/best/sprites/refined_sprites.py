@@ -35,7 +35,6 @@ from landscape.elements.atlas import CELL, CELLS, GUTTER, mip_levels, read_cells
 from landscape.elements.best.sprites import individuals
 from landscape.elements.best.sprites.choice import LaidOut
 from landscape.elements.best.sprites.refined_atlas import (
-    HERBS,
     bled_levels,
     outlines,
     tops_levels,
@@ -57,6 +56,7 @@ from landscape.elements.ground import Ground
 from landscape.elements.places_file import RANDOM
 from landscape.elements.planting import DEER, PLANT
 from landscape.elements.settings import Settings
+from landscape.elements.sprite_names import HERBS
 from landscape.elements.sun import direction
 from landscape.elements.transparent_elements import CLEAR, kinds_in
 from landscape.files.assets import Assets
