@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from framelens.base.errors import Message
-from framelens.base.texts import Phrases, choose, translator
+from framelens.base.texts import Phrases, choose, said, translator
 from framelens.base.texts import marked as _
 from framelens.commands.parser import Parser, add_commands, parted
 from framelens.commands.reporting import run_command
@@ -83,7 +83,7 @@ def parse(argv: Sequence[str] | None = None) -> argparse.Namespace:
         # argparse itself takes only the views before the first option.
         if "views" not in options or any(word.startswith("-") for word in rest):
             unknown = Message("unrecognized arguments: {words}", words=" ".join(rest))
-            parser.error(unknown.said(choose(os.environ)))
+            parser.error(said(unknown, choose(os.environ)))
         options.views = [*options.views, *rest]
     return options
 

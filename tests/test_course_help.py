@@ -9,6 +9,7 @@ import pytest
 from commands import Done, Shell, environment, landscape, refused
 
 from framelens.base.errors import InputError, Message
+from framelens.base.texts import said
 
 COMMANDS = ("lesson", "exercise", "exercise list", "exercise start", "exercise check", "lecture")
 
@@ -88,6 +89,6 @@ def test_a_message_in_a_message_is_in_the_same_language() -> None:
         value="'{low}'",
     )
     assert str(error) == "setting fog.density: expected a number from 0 to 10, not '{low}'"
-    assert error.said("fr") == "setting fog.density: il faut un nombre de 0 à 10, non '{low}'"
+    assert said(error, "fr") == "setting fog.density: il faut un nombre de 0 à 10, non '{low}'"
     sent = pickle.loads(pickle.dumps(error))
-    assert (str(sent), sent.said("fr")) == (str(error), error.said("fr"))
+    assert (str(sent), said(sent, "fr")) == (str(error), said(error, "fr"))

@@ -7,7 +7,8 @@ import pytest
 from commands import environment, need_library, python
 from stage import Stage
 
-from framelens.gl.foreign import original, patched
+from framelens.gl.foreign import patched
+from framelens.gl.originals import original
 from framelens.gl.seam import gl
 
 # libGLU draws through libGL, so not in an OSMesa context.

@@ -4,8 +4,8 @@ import pytest
 from broken_programs import BROKEN, CLEAR, FLAT, GLFW
 
 from framelens.gl.seam import Call, Site
-from framelens.program.program import Showing, Window
 from framelens.program.program_frame import ProgramFrame
+from framelens.program.program_run import Showing, Window
 from framelens.program.program_tape import on_frame
 from framelens.program.shown import shown_otherwise
 from framelens.report.trace_text import as_text

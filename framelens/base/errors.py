@@ -4,6 +4,7 @@ import re
 import reprlib
 import sys
 import traceback
+from collections.abc import Callable
 from typing import Any
 
 from framelens.base.packages import speaker
@@ -19,15 +20,17 @@ SYSTEM: Phrases = (
     "File name too long",
 )
 """What operating systems say of files, as catalogues know it."""
-DOMAINS = ("errors", "landscape_errors")  # of the catalogues: a package's templates
+Translate = Callable[[str], str]
+"""A function from an English template to the same in the user's language."""
 
 
 class Message:
     """A text for the user: a template in English, as of str.format, and the values in its {}.
 
-    A value may be a Message, too, and is then said in the same language. All other values, what
-    the user wrote among them, stay as they are. ``scripts/catalogues`` finds a template where it
-    stands in a call: Message("..."), InputError("...") or NoOpenGLError("...").
+    A value may be a Message, too, and is translated with it. All other values, what the user wrote
+    among them, stay as they are. ``said`` in texts.py says it in a language.
+    ``scripts/catalogues`` finds a template where it stands in a call: Message("..."),
+    InputError("...") or NoOpenGLError("...").
     """
 
     def __init__(self, template: str, /, **values: Any) -> None:
@@ -35,11 +38,11 @@ class Message:
         self.values = values
 
     def __str__(self) -> str:
-        return self.said("en")
+        return self.translated(_in_english)
 
-    def said(self, language: str) -> str:
-        """Return the text in a language; in English where that has no translation of it."""
-        return _said(self.template, self.values, language)
+    def translated(self, translate: Translate) -> str:
+        """Return the text with the template translated, and those of the messages in it."""
+        return _filled(self.template, self.values, translate)
 
 
 class _Error(Exception):
@@ -50,11 +53,11 @@ class _Error(Exception):
         self.values = values
 
     def __str__(self) -> str:
-        return self.said("en")
+        return self.translated(_in_english)
 
-    def said(self, language: str) -> str:
-        """Return what is wrong in a language; in English where that has no translation of it."""
-        return _said(str(self.args[0]) if self.args else "", self.values, language)
+    def translated(self, translate: Translate) -> str:
+        """Return what is wrong with the template translated, and those of the messages in it."""
+        return _filled(str(self.args[0]) if self.args else "", self.values, translate)
 
 
 class InputError(_Error, ValueError):
@@ -65,16 +68,16 @@ class NoOpenGLError(_Error, RuntimeError):
     """No usable OpenGL: one line that names the package to install (exit status 3)."""
 
 
-def _said(template: str, values: dict[str, Any], language: str) -> str:
-    if language != "en":
-        # Imported here: English needs no catalogue, and the reader of catalogues raises errors.
-        from framelens.base.texts import translator
+def _in_english(template: str) -> str:
+    return template
 
-        template = translator(language, *DOMAINS)(template)
+
+def _filled(template: str, values: dict[str, Any], translate: Translate) -> str:
+    template = translate(template)
     if not values:
         return template
     words = {
-        name: value.said(language) if isinstance(value, Message | _Error) else value
+        name: value.translated(translate) if isinstance(value, Message | _Error) else value
         for name, value in values.items()
     }
     return template.format(**words)

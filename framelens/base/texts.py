@@ -20,10 +20,11 @@ from numbers import Integral, Real
 from typing import Any, Protocol
 
 from framelens import system
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, Message, NoOpenGLError
 from framelens.base.packages import PACKAGES
 
 LANGUAGES = ("en", "fr")
+ERRORS = ("errors", "landscape_errors")  # the domains of templates of messages, of both packages
 _NO_BREAK = re.compile(r" (?=[;:!?»]|%(?![(rs]))|(?<=«) |(?<=\d) (?=\d{3}(?!\d))")
 _APOSTROPHE = re.compile(r"(?<=[^\W\d_])'(?=\w|«)")  # as in l'eau; not in 'word' or x'
 
@@ -119,6 +120,11 @@ def translator(language: str, *domains: str) -> Translator:
         return text
 
     return translated if language in LANGUAGES[1:] else unchanged
+
+
+def said(message: Message | InputError | NoOpenGLError, language: str) -> str:
+    """Return a message in a language; in English where that has no translation of it."""
+    return message.translated(translator(language, *ERRORS))
 
 
 class _Formatter(string.Formatter):

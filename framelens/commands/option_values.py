@@ -11,14 +11,14 @@ from typing import Any
 
 from framelens.base import arguments
 from framelens.base.errors import InputError, Message
-from framelens.base.texts import choose
+from framelens.base.texts import choose, said
 
 MOST_JOBS = 256  # chosen
 
 
 def refusal(template: str, /, **values: Any) -> argparse.ArgumentTypeError:
     """Return the error that argparse shows: a Message in the user's language."""
-    return argparse.ArgumentTypeError(Message(template, **values).said(choose(os.environ)))
+    return argparse.ArgumentTypeError(said(Message(template, **values), choose(os.environ)))
 
 
 def checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any:
@@ -26,7 +26,7 @@ def checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any
     try:
         return check(value, *more, given=repr(text))
     except InputError as error:
-        raise argparse.ArgumentTypeError(error.said(choose(os.environ))) from None
+        raise argparse.ArgumentTypeError(said(error, choose(os.environ))) from None
 
 
 def size(text: str) -> Any:

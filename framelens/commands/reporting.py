@@ -16,7 +16,7 @@ from typing import Any
 from framelens.base.errors import InputError, NoOpenGLError, say_unexpected
 from framelens.base.guard import guarded
 from framelens.base.packages import speaker
-from framelens.base.texts import choose, speaking
+from framelens.base.texts import choose, said, speaking
 from framelens.commands.parser import argparse_speaking, language_asked
 from framelens.system import is_closed_pipe
 from framelens.system.processes import Ending, ending_tidily
@@ -85,9 +85,9 @@ def reported(work: Callable[[], int], ending: Ending) -> int:
         return status
     except InputError as error:
         # A program that was looked into and raised an error has a traceback of its own.
-        return _fail(error.said(choose(os.environ)), 2, getattr(error, "details", ""))
+        return _fail(said(error, choose(os.environ)), 2, getattr(error, "details", ""))
     except NoOpenGLError as error:
-        return _fail(error.said(choose(os.environ)), 3)
+        return _fail(said(error, choose(os.environ)), 3)
     except OSError as error:
         if is_closed_pipe(error):
             # The reader (head, less) closed the pipe, so there is nothing more to print.

@@ -22,16 +22,15 @@ from typing import Any
 from framelens.gl import libraries
 from framelens.gl.binding import use_platform
 from framelens.gl.holders import replaced
-from framelens.gl.window_framebuffer import redirected
+from framelens.gl.originals import patches, unwrapped
+from framelens.gl.redirected import redirected
+from framelens.gl.seam import glu_noted
 
 Make = Callable[[str, Callable[..., Any]], Callable[..., Any]]
 
 # Each chooses a function by its arguments; the tables from which it takes that function.
 CHOOSERS = ("glColor", "glMaterial", "glRasterPos", "glTexParameter", "glVertex")
 TABLES = ("glColorDispatch", "glRasterPosDispatch", "glVertexDispatch")
-
-# Extensions that OpenGL.GL does not offer: their functions and enumerants are found by name, too.
-EXTENSIONS = ("OpenGL.GL.NV.alpha_to_coverage_dither_control",)
 
 _SHAPES = "Cone Cube Cylinder Dodecahedron Icosahedron Octahedron RhombicDodecahedron"
 _SHAPES += " SierpinskiSponge Sphere Teacup Teapot Teaspoon Tetrahedron Torus"
@@ -43,37 +42,6 @@ OPAQUE = {
     *("glePolyCylinder", "glePolyCone", "gleExtrusion", "gleTwistExtrusion", "gleSuperExtrusion"),
     *("gleSpiral", "gleLathe", "gleHelicoid", "gleToroid", "gleScrew"),
 }
-
-_patched: list[dict[str, Callable[..., Any]]] = []
-
-
-def original(name: str) -> Any:
-    """Return OpenGL's own function or enumerant of a name, whatever has taken its place.
-
-    What ``make`` was given by the names of GLU, GLUT and GLE is found, too.
-    """
-    import OpenGL.GL
-
-    if hasattr(OpenGL.GL, name):
-        return redirected(name, _unwrapped(getattr(OpenGL.GL, name)))
-    for names in reversed(_patched):
-        if name in names:
-            return names[name]
-    for package in ("GLUT", "GLU", "GLE"):
-        module = sys.modules.get(f"OpenGL.{package}")
-        if hasattr(module, name):
-            return _unwrapped(getattr(module, name))
-    for package in EXTENSIONS if name.endswith("NV") else ():
-        module = importlib.import_module(package)
-        if hasattr(module, name):
-            return _unwrapped(getattr(module, name))
-    raise AttributeError(f"no function {name} in OpenGL, GLU or GLUT")
-
-
-def _unwrapped(value: Any) -> Any:
-    while hasattr(value, "__wrapped__"):
-        value = value.__wrapped__
-    return value
 
 
 @contextmanager
@@ -88,9 +56,8 @@ def patched(make: Make) -> Iterator[None]:
 
     from framelens.gl.executed_lists import taken_apart
     from framelens.gl.glu import FUNCTIONS
-    from framelens.gl.seam import glu_noted
 
-    make = taken_apart(make, _unwrapped(OpenGL.GL.glCallList))
+    make = taken_apart(make, unwrapped(OpenGL.GL.glCallList))
     names: dict[str, Callable[..., Any]] = {}
 
     def choose(module: str, name: str, value: Any) -> Any:
@@ -104,8 +71,8 @@ def patched(make: Make) -> Iterator[None]:
         return _replacement(make, name, value)
 
     with ExitStack() as stack:
-        _patched.append(names)
-        stack.callback(_patched.remove, names)
+        patches.append(names)
+        stack.callback(patches.remove, names)
         stack.callback(setattr, vbo.Implementation, "CHOSEN", None)
         vbo.Implementation.CHOSEN = None  # holds functions, chosen at the first use
         # What raw holds takes arguments as in C, for PyOpenGL's own use.

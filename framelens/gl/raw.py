@@ -12,7 +12,7 @@ import ctypes
 from importlib import import_module
 from typing import Any
 
-from framelens.gl.window_framebuffer import redirected_raw
+from framelens.gl.redirected import redirected_raw
 
 VERSIONS = ("1_0", "1_1", "1_2", "1_3", "1_4", "1_5", "2_0", "2_1", "3_0")
 

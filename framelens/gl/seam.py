@@ -1,8 +1,8 @@
 """The seam: every OpenGL call of the program goes through the namespace :data:`gl`.
 
 Off, it costs nothing: once looked up, an attribute of ``gl`` is PyOpenGL's function itself, but for
-a few (window_framebuffer.py). Inside :func:`noting` they are functions that note a call and then
-make it: where it comes from, how edits change it, what its arrays hold now, whom it is told.
+a few (redirected.py). Inside :func:`noting` they are functions that note a call and then make it:
+where it comes from, how edits change it, what its arrays hold now, whom it is told.
 One object, :data:`seam`, owns all that; what it does with a call is its frozen :class:`State`.
 
 Three things need notes. A :func:`recording` collects the calls, with their arguments, the
@@ -27,6 +27,7 @@ import numpy as np
 from framelens.gl.client import ClientArrays, concerns_arrays, frozen, list_base
 from framelens.gl.drawing import drawing, drawn_now
 from framelens.gl.notes import Brief, Call, Edits, GluCall, Site, caller, known_files, shown
+from framelens.gl.originals import original
 
 __all__ = [
     "Call",
@@ -461,8 +462,6 @@ class _Namespace:
         # platform is chosen.
         if not name.startswith(("gl", "GL")):
             raise AttributeError(name)
-        from framelens.gl.foreign import original
-
         value = original(name)
         if self.__dict__ is seam.noted and callable(value) and name.startswith("gl"):
             value = seam.noting_function(name, value)

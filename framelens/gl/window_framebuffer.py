@@ -2,34 +2,22 @@
 
 What a window that nobody sees holds is undefined: OpenGL may leave out pixels that no screen owns,
 and NVIDIA's driver and macOS do. So a program with a hidden window draws into a framebuffer object
-of the window's size, and does not notice. Framebuffer 0 is this one, GL_BACK and GL_FRONT are its
-colours, and questions about them are answered as the window would.
+of the window's size, and does not notice: redirected.py has it stand for framebuffer 0.
 
 Two things differ, as they do with OSMesa or EGL: back and front are one image, and there is no
 accumulation buffer.
-
-:func:`redirected` wraps the few functions of OpenGL that name a framebuffer or its buffers. The
-program calls them so, and the tools that look at it do, by the seam and by raw.py.
 """
 
 import ctypes
-from collections.abc import Callable
-from typing import Any, ClassVar
 
-Function = Callable[..., Any]
+from framelens.gl.raw import raw
+from framelens.gl.redirected import BINDINGS, DOUBLEBUFFER, DRAW_BUFFER, redirection
 
 FRAMEBUFFER, RENDERBUFFER = 0x8D40, 0x8D41
 COLOR, DEPTH_STENCIL = 0x8CE0, 0x821A  # GL_COLOR_ATTACHMENT0, GL_DEPTH_STENCIL_ATTACHMENT
 RGBA8, DEPTH24_STENCIL8 = 0x8058, 0x88F0
 VERSION, EXTENSIONS = 0x1F02, 0x1F03
 NEED = b"GL_ARB_framebuffer_object"  # in OpenGL since 3.0
-
-DRAW_BUFFER = 0x0C01
-READ_BUFFER = 0x0C02
-DOUBLEBUFFER = 0x0C32
-# GL_DRAW_FRAMEBUFFER_BINDING and GL_READ_FRAMEBUFFER_BINDING, of each of these buffers.
-BINDINGS = {DRAW_BUFFER: 0x8CA6, READ_BUFFER: 0x8CAA}
-ASKED = {DRAW_BUFFER, READ_BUFFER, DOUBLEBUFFER, *BINDINGS.values()}
 NONE = 0
 FRONT = 0x0404
 BACK = 0x0405
@@ -40,13 +28,8 @@ SIDES = {0x0400, 0x0402, FRONT, BACK, 0x0406, 0x0408}
 class WindowFramebuffer:
     """The framebuffer object, of one program at a time."""
 
-    current: ClassVar["WindowFramebuffer | None"] = None
-
     def __init__(self, size: tuple[int, int], double_buffered: bool) -> None:
         """Create it in the current context, ``size`` in pixels, and bind it for framebuffer 0."""
-        from framelens.gl.raw import raw
-
-        self._raw: Any = raw
         self.name, self._color, self._depth = (
             self._generated(kind) for kind in ("Framebuffers", "Renderbuffers", "Renderbuffers")
         )
@@ -60,18 +43,16 @@ class WindowFramebuffer:
         # A new context has the size of its window in both; the window's own size may be another.
         raw.glViewport(0, 0, *size)
         raw.glScissor(0, 0, *size)
-        WindowFramebuffer.current = self
+        redirection.substitute = self
 
     def _generated(self, kind: str) -> int:
         number = ctypes.c_uint32()
-        getattr(self._raw, f"glGen{kind}")(1, ctypes.byref(number))
+        getattr(raw, f"glGen{kind}")(1, ctypes.byref(number))
         return number.value
 
     @staticmethod
     def possible() -> bool:
         """Return whether the current context can have one."""
-        from framelens.gl.raw import raw
-
         version = ctypes.string_at(raw.glGetString(VERSION))
         if int(version.split(b".")[0]) >= 3:
             return True
@@ -80,19 +61,19 @@ class WindowFramebuffer:
     def resize(self, size: tuple[int, int]) -> None:
         """Give it another size, in pixels; what it holds is undefined then, as in a window."""
         for buffer, kind in ((self._color, RGBA8), (self._depth, DEPTH24_STENCIL8)):
-            self._raw.glBindRenderbuffer(RENDERBUFFER, buffer)
-            self._raw.glRenderbufferStorage(RENDERBUFFER, kind, *size)
-        self._raw.glBindRenderbuffer(RENDERBUFFER, 0)
+            raw.glBindRenderbuffer(RENDERBUFFER, buffer)
+            raw.glRenderbufferStorage(RENDERBUFFER, kind, *size)
+        raw.glBindRenderbuffer(RENDERBUFFER, 0)
 
     @staticmethod
     def leave() -> None:
         """Have none stand for framebuffer 0; the objects go with the context."""
-        WindowFramebuffer.current = None
+        redirection.substitute = None
 
     def bound(self, buffer: int) -> bool:
         """Return whether it is bound, where DRAW_BUFFER or READ_BUFFER belongs to."""
         number = ctypes.c_int32()
-        self._raw.glGetIntegerv(BINDINGS[buffer], ctypes.byref(number))
+        raw.glGetIntegerv(BINDINGS[buffer], ctypes.byref(number))
         return number.value == 0
 
     def choose(self, buffer: int, side: int) -> int:
@@ -109,59 +90,3 @@ class WindowFramebuffer:
         if question == DOUBLEBUFFER:
             return int(self.double_buffered) if self.bound(DRAW_BUFFER) else value
         return self._sides[question] if value == COLOR and self.bound(question) else value
-
-
-def redirected(name: str, function: Function) -> Function:
-    """Return OpenGL's function of a name; framebuffer 0 is WindowFramebuffer.current, if any."""
-    if name in ("glBindFramebuffer", "glBindFramebufferEXT"):
-        return _binding(function)
-    if name in ("glDrawBuffer", "glReadBuffer"):
-        return _choosing(function, DRAW_BUFFER if name == "glDrawBuffer" else READ_BUFFER)
-    if name in ("glGetIntegerv", "glGetBooleanv"):
-        return _answering(function)
-    return function
-
-
-def _binding(function: Function) -> Function:
-    def bind(target: int, framebuffer: int) -> Any:
-        now = WindowFramebuffer.current
-        return function(target, framebuffer or (now.name if now else 0))
-
-    return bind
-
-
-def _choosing(function: Function, buffer: int) -> Function:
-    def choose(mode: int) -> Any:
-        now = WindowFramebuffer.current
-        return function(now.choose(buffer, int(mode)) if now else mode)
-
-    return choose
-
-
-def _answering(function: Function) -> Function:
-    def ask(pname: int, *params: Any) -> Any:
-        result = function(pname, *params)
-        now = WindowFramebuffer.current
-        if now is None or int(pname) not in ASKED:
-            return result
-        if not params:
-            return now.answer(int(pname), int(result))
-        params[0][0] = now.answer(int(pname), int(params[0][0]))
-        return result
-
-    return ask
-
-
-def redirected_raw(name: str, function: Function) -> Function:
-    """Return the same for a function of raw.py, which takes addresses for arrays."""
-    if name != "glGetIntegerv":
-        return redirected(name, function)
-
-    def ask(pname: int, params: Any) -> None:
-        function(pname, params)
-        now = WindowFramebuffer.current
-        if now is not None and pname in ASKED:
-            place = ctypes.cast(params, ctypes.POINTER(ctypes.c_int32))
-            place[0] = now.answer(pname, place[0])
-
-    return ask

@@ -33,8 +33,9 @@ from framelens.inspector.keys import system_name
 from framelens.inspector.panel import Panel
 from framelens.inspector.requests import Requests
 from framelens.program.past import Past, followed
-from framelens.program.program import Window, run
+from framelens.program.program import run
 from framelens.program.program_events import BUTTONS, Event
+from framelens.program.program_run import Window
 from framelens.spec import spec
 from framelens.state import state
 from framelens.tape.buffers import Buffers
@@ -107,7 +108,7 @@ class ProgramInspector(ExitStack):
         self._number_shown = 0
         self.inspection.with_past = self._with_past
 
-    # As framelens/program/program.py sees it.
+    # As framelens/program/program_run.py sees it.
 
     def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         """Return what notes the calls of an OpenGL function."""

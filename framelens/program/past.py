@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from framelens.gl.seam import Call, GluCall, Site
-from framelens.program.program import Chain, Showing, Window, chain
+from framelens.program.program_run import Chain, Showing, Window, chain
 from framelens.spec.spec import sets
 from framelens.state.state import State
 

@@ -5,14 +5,12 @@ import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from framelens.base import guard
 from framelens.base.packages import FRAMELENS, speaker
+from framelens.program.program_run import Run
 from framelens.program.program_source import ProgramError
-
-if TYPE_CHECKING:
-    from framelens.program.program import Run
 
 OURS = f"{FRAMELENS.folder}{os.sep}"
 # What OpenGL's errors say of a call, by PyOpenGL's words for them.
@@ -93,7 +91,7 @@ def _of_opengl(error: Any) -> str:
     return f"{type(error).__name__}: {said} ({function}){meaning}"
 
 
-def late(state: "Run", wanted: int | None, limit: float) -> ProgramError:
+def late(state: Run, wanted: int | None, limit: float) -> ProgramError:
     """Return the error of a program that did not reach the wanted frame within ``limit`` s."""
     path, frames = state.source.path, state.frames
     if state.window is None:

@@ -19,9 +19,9 @@ from framelens.gl.contexts.egl import EGLContext
 from framelens.gl.contexts.glfw import check_thread
 from framelens.gl.holders import replaced
 from framelens.gl.raw import raw
-from framelens.program.program import Run, Window
 from framelens.program.program_context import bind
 from framelens.program.program_events import BUTTONS, KEYS, MODS, Event
+from framelens.program.program_run import Run, Window
 from framelens.program.program_source import need_package
 
 # What sets a callback; those for errors and devices are GLFW's own.

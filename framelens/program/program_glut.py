@@ -21,10 +21,10 @@ from framelens.gl.contexts.glfw import check_thread
 from framelens.gl.contexts.software import ask_for_software
 from framelens.gl.foreign import library, load_glut
 from framelens.gl.holders import replaced
-from framelens.program.program import Run, Window
 from framelens.program.program_clock import milliseconds
 from framelens.program.program_events import CONTROL, Event
 from framelens.program.program_live import LiveWindow
+from framelens.program.program_run import Run, Window
 from framelens.program.program_source import ProgramError
 
 # What needs someone who looks at the window.

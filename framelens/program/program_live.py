@@ -15,8 +15,8 @@ import numpy as np
 from framelens.base.errors import NoOpenGLError
 from framelens.gl.contexts.glfw import check_thread
 from framelens.gl.seam import unnoted
-from framelens.program.program import Run, Window
 from framelens.program.program_events import KEYS
+from framelens.program.program_run import Run, Window
 from framelens.tape.buffers import Buffers
 
 LONGEST = 1.0  # chosen: seconds between two frames; a clock that is further ahead has jumped

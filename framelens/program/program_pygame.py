@@ -17,11 +17,11 @@ from framelens.gl.binding import use_platform
 from framelens.gl.contexts.glfw import check_thread
 from framelens.gl.contexts.software import ask_for_software
 from framelens.gl.holders import replaced
-from framelens.program.program import Run, Window
 from framelens.program.program_clock import Clock, milliseconds
 from framelens.program.program_context import prepare, screen
 from framelens.program.program_events import CONTROL, KEYS, Event
 from framelens.program.program_live import LiveWindow
+from framelens.program.program_run import Run, Window
 from framelens.program.program_source import need_package
 
 MODULES = ("display", "event", "key", "mouse", "time")

@@ -20,8 +20,8 @@ from framelens.gl.binding import use_platform
 from framelens.gl.contexts.software import ask_for_software
 from framelens.gl.holders import replaced
 from framelens.gl.raw import raw
-from framelens.program.program import Run, Window
 from framelens.program.program_events import CONTROL, Event
+from framelens.program.program_run import Run, Window
 from framelens.program.program_source import QT, ProgramError, need_package
 
 FRAMEBUFFER, BLEND = 0x8D40, 0x0BE2

@@ -7,7 +7,8 @@ from typing import Any, TextIO, TypeVar
 
 from framelens.gl.seam import Call, begin_pass, edited, frame_begins, outermost, recording, unnoted
 from framelens.program.past import Past, Setters, chains_of
-from framelens.program.program import Window, run
+from framelens.program.program import run
+from framelens.program.program_run import Window
 from framelens.program.shown import shown_otherwise, without_effect
 from framelens.spec import spec
 from framelens.state import state

@@ -7,7 +7,7 @@ shown. So a frame that is never shown looks like one that is; these lines say th
 from collections.abc import Iterator, Sequence
 
 from framelens.gl.seam import Call, GluCall
-from framelens.program.program import Window
+from framelens.program.program_run import Window
 from framelens.spec import spec
 
 FRONT = {0x0400, 0x0401, 0x0404}  # GL_FRONT_LEFT, GL_FRONT_RIGHT, GL_FRONT

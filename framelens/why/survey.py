@@ -16,7 +16,7 @@ import numpy as np
 from framelens.gl.raw import raw
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.program.past import Past, Setters
-from framelens.program.program import Chain
+from framelens.program.program_run import Chain
 from framelens.state.state_reading import read_some
 from framelens.tape.primitives import Draw
 from framelens.tape.steps import Step

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from framelens.program.program import LIMIT, Window, run
+from framelens.program.program import LIMIT, run
+from framelens.program.program_run import Window
 from framelens.tape.buffers import Buffers
 
 

@@ -19,8 +19,8 @@ from framelens.gl.framebuffer import read_pixels
 from framelens.gl.notes import Brief, Call
 from framelens.gl.seam import begin_pass, briefly, frame_begins, gl, outermost, recording, unnoted
 from framelens.program import program
-from framelens.program.program import Window
 from framelens.program.program_failure import CAUGHT
+from framelens.program.program_run import Window
 from framelens.program.program_source import ProgramError
 from framelens.spec import spec
 from framelens.state import state
@@ -136,7 +136,7 @@ def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 class Witness(ExitStack):
-    """Observes a program (see framelens/program/program.py) up to the last of some frames."""
+    """Observes a program (see framelens/program/program_run.py) up to the last of some frames."""
 
     def __init__(self, program: str, frames: Sequence[int], folder: Path) -> None:
         super().__init__()

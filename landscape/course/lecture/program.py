@@ -15,8 +15,9 @@ from framelens.base.errors import InputError
 from framelens.gl.seam import unnoted
 from framelens.inspector.panel import Panel
 from framelens.inspector.program_inspector import FOREVER, PAUSE, ProgramInspector
-from framelens.program.program import Window, run
+from framelens.program.program import run
 from framelens.program.program_events import Event
+from framelens.program.program_run import Window
 from framelens.report.strip import Request, on_screen
 from framelens.state import state
 from framelens.tape.tape import Tape
@@ -69,7 +70,7 @@ class ProgramPlayer(ProgramInspector):
         self._stage, self._pressed = stage, keys
         self._recording = False
 
-    # As framelens/program/program.py sees it.
+    # As framelens/program/program_run.py sees it.
 
     def opened(self, window: Window) -> None:
         """Note the state of a new context."""
