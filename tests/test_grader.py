@@ -68,6 +68,10 @@ WORDS = {
     "error of OpenGL": (OPEN + LOOP + "    glEnable(GL_MODELVIEW)\n" + SHOW, "invalid_enumerant"),
     "not Python": ("if", "syntax"),
     "takes all memory": (OPEN + "data = [bytearray(1 << 28) for _ in range(40)]", "memory"),
+    "calls too often": (
+        OPEN + LOOP + "    for _ in range(10**6): glLoadIdentity()\n" + SHOW,
+        "calls",
+    ),
     "ends early": (OPEN + LOOP + SHOW + "    break\n", "ended"),
     "two windows": (OPEN + OPEN, "two_windows"),
     "writes": (f"open({str(Path.home() / 'x')!r}, 'w')", "write"),

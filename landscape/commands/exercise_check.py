@@ -28,6 +28,7 @@ EXAMPLE = "winding.py --heat-map difference.png"
 WIDTHS = 72, 100  # chosen: least and most columns of a report
 SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
 WHY = _("The picture is all of one colour: line {line}. {text} Mend: {mend}.")
+OTHERWISE = _("Your program does this in another way; its picture is right.")
 WRITTEN = _("{file}: your picture, where it differs, and the solution's")
 
 
@@ -135,7 +136,10 @@ def _cause(path: str, frame: int, language: str) -> dict[str, Any] | None:
 
 
 def as_json(report: Report, _: Translator) -> dict[str, Any]:
-    """Return a report as JSON; "passed" of a test is null if it was not made."""
+    """Return a report as JSON; "passed" of a test is null if it was not made.
+
+    "otherwise": the test has passed because the picture is right, not by what it looks for.
+    """
     made = {result.test.key: result for result in report.results}
     tests = []
     for test in report.tests:
@@ -147,6 +151,7 @@ def as_json(report: Report, _: Translator) -> dict[str, Any]:
                 "passed": result.passed if result is not None else None,
                 "rationale": _(test.rationale),
                 "hint": told.written(_) if told is not None else "",
+                "otherwise": result is not None and result.otherwise,
             }
         )
 
@@ -171,6 +176,8 @@ def as_text(report: Report, _: Translator, columns: int = WIDTHS[1]) -> list[str
         told = [_(result.test.name)]
         if result.hint is not None:
             told.append(result.hint.written(_))
+        elif result.otherwise:
+            told.append(_(OTHERWISE))
         for first, text in zip((f"{words[result.passed]:{width}}  ", indent), told, strict=False):
             lines += textwrap.wrap(
                 text,

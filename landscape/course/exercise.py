@@ -4,8 +4,12 @@ An exercise is a folder landscape/course/exercises/NAME; docs/exercises.md says 
 """
 
 import ast
+import io
+import random
 import re
+import secrets
 import textwrap
+import tokenize
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -20,8 +24,19 @@ from landscape.course import program_texts
 from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.evidence import Evidence
 from landscape.course.grader.evidence_file import load
-from landscape.course.grader.grading import Result, Test, _, difference, grade, tests_of
+from landscape.course.grader.grading import (
+    Hint,
+    Result,
+    Test,
+    _,
+    difference,
+    equal_pictures,
+    grade,
+    same_pictures,
+    tests_of,
+)
 from landscape.course.grader.sandbox import LATE, Job, Outcome, Sandbox
+from landscape.course.grader.trial import Trial, broken_off, elsewhere, trial
 from landscape.course.grader.troubles import known
 
 FOLDER = Path(__file__).resolve().parent / "exercises"
@@ -167,8 +182,9 @@ def named_in(path: Path) -> Exercise:
         )
     data = read_bounded(path, MOST_BYTES)
     try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError:
+        encoding, _lines = tokenize.detect_encoding(io.BytesIO(data).readline)
+        text = data.decode(encoding)
+    except (SyntaxError, UnicodeDecodeError):
         raise InputError("{path}: is not text, expected a Python program", path=path) from None
 
     names = MARKER.findall(text)
@@ -207,13 +223,16 @@ def grading(name: str) -> dict[str, Any]:
 class Grader:
     """Checks programs, in a sandbox of its own; use it in a ``with``.
 
-    ``seconds``: how long a program may take to its last frame.
+    ``seconds``: how long a program may take to its last frame. ``seed``: of the trials (trial.py),
+    chosen by chance if it is left out, so that no program can know them.
     """
 
-    def __init__(self, seconds: float = SECONDS) -> None:
+    def __init__(self, seconds: float = SECONDS, seed: int | None = None) -> None:
         self._seconds = seconds
         self._sandbox = Sandbox()
+        self._seed = secrets.randbits(64) if seed is None else seed
         self._solutions: dict[str, Evidence] = {}
+        self._elsewhere: dict[str, Evidence] = {}  # of the solutions, in trials
 
     def __enter__(self) -> "Grader":
         return self
@@ -224,7 +243,8 @@ class Grader:
     def check(self, path: Path) -> Report:
         """Run a student's program beside the solution, and grade it.
 
-        InputError if the file cannot be read or is of no exercise; NoOpenGLError.
+        Where its pictures are right, it is run once more, in a trial. InputError if the file cannot
+        be read or is of no exercise; NoOpenGLError.
         """
         found = named_in(path)
         names = grading(found.name)
@@ -232,29 +252,74 @@ class Grader:
         error = _syntax(path)
         if error is not None:
             return Report(found, tests, error=error)
+
+        work, solution = self._run(
+            path, found, names["FRAMES"], names.get("EVENTS", ()), self._solutions.get(found.name)
+        )
+        self._solutions[found.name] = solution
+        if not isinstance(work, Evidence):
+            return Report(found, tests, error=work)
+
+        code = (found.folder / "solution.py").read_text(encoding="utf-8")
+        drawn = trial(code, random.Random(f"{self._seed} {found.name}"))
+        last = elsewhere(drawn)
+        told, equal = None, False
+        right = same_pictures(tests, work, solution)
+        if right:
+            told, equal = self._tried(path, found, drawn, last)
+        results = grade(tests, work, solution, equal and equal_pictures(work, solution))
+        # The hint of another test that has failed says more of why the picture is wrong elsewhere.
+        if right and all(result.passed for result in results):
+            results.append(Result(last, told is None, told))
+        else:
+            results.append(Result(last, None))
+
+        most = max(difference(work.frame(n), solution.frame(n)) for n in solution.frames)
+        return Report(found, [*tests, last], results, most, None, work, solution)
+
+    def _tried(
+        self, path: Path, found: Exercise, drawn: Trial, test: Test
+    ) -> tuple[Hint | None, bool]:
+        """Run a program in a trial; return what is wrong there, and whether nothing differs."""
+        work, solution = self._run(
+            path, found, drawn.frames, drawn.events, self._elsewhere.get(found.name), calls=False
+        )
+        self._elsewhere[found.name] = solution
+        if not isinstance(work, Evidence):
+            return broken_off(work), False
+        return test.check(work, solution), equal_pictures(work, solution)
+
+    def _run(
+        self,
+        path: Path,
+        found: Exercise,
+        frames: Sequence[int],
+        events: Sequence[dict[str, Any]],
+        solution: Evidence | None,
+        calls: bool = True,
+    ) -> tuple[Evidence | dict[str, Any], Evidence]:
+        """Run a program, and the solution beside it if its evidence is not there yet.
+
+        Return the evidence of both; of the program what went wrong, if anything did.
+        """
         model = found.folder / "solution.py"
-        paths = [path] if found.name in self._solutions else [path, model]
-        events = names.get("EVENTS", ())
-        jobs = [Job(str(each), names["FRAMES"], events, self._seconds) for each in paths]
+        paths = [path] if solution is not None else [path, model]
+        jobs = [Job(str(each), frames, events, calls, self._seconds) for each in paths]
         outcomes = self._sandbox.run(jobs)
-        if len(outcomes) > 1:
-            solution = _evidence(model, outcomes[1], names["FRAMES"])
-            if not isinstance(solution, Evidence):
+        if solution is None:
+            shown = _evidence(model, outcomes[1], frames)
+            if not isinstance(shown, Evidence):
                 raise InputError(
                     "{model}: the solution cannot be run here ({solution})",
                     model=model,
-                    solution=solution["word"],
+                    solution=shown["word"],
                 )
-            self._solutions[found.name] = solution
+            solution = shown
 
-        work = _evidence(path, outcomes[0], names["FRAMES"])
+        work = _evidence(path, outcomes[0], frames)
         if not isinstance(work, Evidence):
-            values = {"seconds": self._seconds, "megabytes": jobs[0].megabytes}
-            return Report(found, tests, error={**values, **work})
-        solution = self._solutions[found.name]
-        most = max(difference(work.frame(n), solution.frame(n)) for n in solution.frames)
-        results = grade(tests, work, solution)
-        return Report(found, tests, results, most, None, work, solution)
+            work = {"seconds": self._seconds, "megabytes": jobs[0].megabytes, **work}
+        return work, solution
 
 
 def _syntax(path: Path) -> dict[str, Any] | None:

@@ -10,6 +10,7 @@ A file of JSON says
 - "numbers": {"of", "values"}: the calls that only give numbers, in their order: the index of the
   site of each, and the name of a file with the arguments of all, doubles;
 - "lists": the calls of display lists that were executed;
+- "pointers": the pointer calls of vertex arrays that are drawn, each [name, arguments];
 - "states": OpenGL's state at the calls that draw, by the names of framelens/state/state.py; the
   first is whole, the others are what differs from it;
 - "early": null, or the first function that was called without a context, in vain, and the line.
@@ -18,9 +19,10 @@ Calls are [first, each, ...]: a number stands for so many calls that only give n
 ``first`` is the first, and [site, arguments, more] for another call. "more" may have "way", the
 lines of the program that lead to the call, from the outermost, each with the function that it
 calls; "state", an index of "states"; "inside", an index of "lists" for each display list that it
-executes; "arrays", the pointer calls of a draw call that reads vertex arrays.
+executes; "arrays", an index of "pointers" for each array that a draw call reads.
 """
 
+import hashlib
 from array import array
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -63,6 +65,8 @@ class Writer:
         self._values = array("d")
         self._lists: list[Block] = []
         self._of_list: dict[int, tuple[int, Any]] = {}  # its index, and the list: by its identity
+        self._pointers: list[Any] = []
+        self._of_pointer: dict[Any, int] = {}  # its index, by its name and what it points to
 
     def block(
         self,
@@ -144,28 +148,50 @@ class Writer:
         found = dict(more.get(id(call), ()))
         # Not for each glArrayElement: thousands of them would write the arrays thousands of times.
         if call.arrays and spec.draws(call.name):
-            found["arrays"] = [[name, _arguments(name, args)] for name, args in call.arrays]
+            found["arrays"] = [self._pointer(name, args) for name, args in call.arrays]
         if inside:
             found["inside"] = inside
         return [site, args, found] if found else [site, args]
 
+    def _pointer(self, name: str, args: tuple[Any, ...]) -> int:
+        """Return the index of a pointer call; an array of one content is written once."""
+        key = name, *map(_content, args)
+        if key not in self._of_pointer:
+            self._of_pointer[key] = len(self._pointers)
+            self._pointers.append([name, _arguments(name, args)])
+        return self._of_pointer[key]
+
     def written(self, folder: Path) -> dict[str, Any]:
         """Write the numbers into a folder, and return what is not in blocks."""
         (folder / VALUES).write_bytes(self._values.tobytes())
-        numbers = {"of": self._of, "values": VALUES}
-        return {"sites": self._written_sites, "numbers": numbers, "lists": self._lists}
+        return {
+            "sites": self._written_sites,
+            "numbers": {"of": self._of, "values": VALUES},
+            "lists": self._lists,
+            "pointers": self._pointers,
+        }
 
 
 def _arguments(name: str, args: tuple[Any, ...]) -> list[Any]:
     """Return the arguments as JSON: enumerants by name, arrays whole if they are not too long."""
     if name in ("glClear", "glPushAttrib"):
         return shown(name, args)
-    return [_argument(value) for value in args]
+    return [_argument(name, index, args) for index in range(len(args))]
 
 
-def _argument(value: Any) -> Any:
-    if type(value) in (float, int):
+def _content(value: Any) -> Any:
+    """Return a key of an argument; copies of one array have the same."""
+    if isinstance(value, np.ndarray):
+        return value.dtype.str, value.shape, hashlib.blake2b(value.tobytes()).digest()
+    return repr(value)
+
+
+def _argument(name: str, index: int, args: tuple[Any, ...]) -> Any:
+    value = args[index]
+    if type(value) is float:
         return value
+    if type(value) is int:  # or an enumerant by its number: 12288 is GL_CLIP_PLANE0
+        return spec.enumerant(name, index, args) or value
     if isinstance(value, (bytes, bytearray)):
         return {"bytes": len(value)}
     if hasattr(value, "_length_") and hasattr(value, "_type_"):
@@ -210,6 +236,7 @@ class _Reader:
         for each in answer["states"]:
             self._states.append({**self._states[0], **each} if self._states else each)
         self._lists = answer["lists"]
+        self._pointers = answer["pointers"]
         sites = [
             (str(name), int(number) if own else NO_LINE, str(function), int(count))
             for name, number, function, own, count in answer["sites"]
@@ -245,7 +272,7 @@ class _Reader:
             number,
             function,
             self._states[index] if index is not None else {},
-            more.get("arrays", ()),
+            [self._pointers[each] for each in more.get("arrays", ())],
             [call for block in inside for call in self.calls(block)],
             [(int(at), str(called)) for at, called in more.get("way", ())],
         )

@@ -31,10 +31,12 @@ import numpy as np
 
 from framelens.base.texts import filled
 from framelens.spec import spec
+from landscape.course.grader.calls import expanded
 from landscape.course.grader.evidence import NO_LINE, Call, Draw, Evidence, Frame, drawn
 
 LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
 REACH = 1  # pixels by which an edge may be elsewhere: other ways to compute it round differently
+FINE = 6  # chosen: levels by which it may where another way to the picture is not to be refused
 FEWEST = 20  # chosen: pixels of a region that may differ, however small it is
 MOST = 0.0015  # chosen: the fraction of the pixels that may differ by more
 
@@ -120,12 +122,16 @@ class Check(Protocol):
 
 @dataclass(frozen=True)
 class Test:
-    """A test; ``key`` is the name of its function."""
+    """A test; ``key`` is the name of its function.
+
+    ``demanded``: the task itself asks for what is tested, so that a right picture is not enough.
+    """
 
     name: Text
     rationale: Text
     check: Check
     needs: tuple["Test", ...] = ()
+    demanded: bool = False
 
     @property
     def key(self) -> str:
@@ -135,19 +141,29 @@ class Test:
 
 @dataclass(frozen=True)
 class Result:
-    """What a test has found; ``passed`` is None where it was not made."""
+    """What a test has found; ``passed`` is None where it was not made.
+
+    ``otherwise``: the program does something else than the test looks for, and its picture is right
+    all the same.
+    """
 
     test: Test
     passed: bool | None
     hint: Hint | None = None
+    otherwise: bool = False
 
 
-def test(name: Text, rationale: Text, needs: Test | Sequence[Test] = ()) -> Callable[[Check], Test]:
+def test(
+    name: Text,
+    rationale: Text,
+    needs: Test | Sequence[Test] = (),
+    demanded: bool = False,
+) -> Callable[[Check], Test]:
     """Make a test of a function; it is made only if those that it ``needs`` have passed."""
 
     def make(check: Check) -> Test:
         wanted = (needs,) if isinstance(needs, Test) else tuple(needs)
-        return Test(name, rationale, check, wanted)
+        return Test(name, rationale, check, wanted, demanded)
 
     return make
 
@@ -157,22 +173,39 @@ def tests_of(module: Mapping[str, Any]) -> list[Test]:
     return [value for value in module.values() if isinstance(value, Test)]
 
 
-def grade(tests: Iterable[Test], work: Evidence, solution: Evidence) -> list[Result]:
+def grade(
+    tests: Iterable[Test], work: Evidence, solution: Evidence, right: bool = False
+) -> list[Result]:
     """Make the tests and return what they found; all fail where there is nothing to check.
 
-    That is where a frame has another size, or nothing is drawn in it.
+    That is where a frame has another size, or nothing is drawn in it. Where the picture is known to
+    be ``right``, also under circumstances that no test names, only those tests can fail that the
+    task demands: there is more than one way to a picture.
     """
     found: dict[str, Result] = {}
     nothing = _nothing_to_check(work, solution)
     for each in tests:
-        if all(found[needed.key].passed for needed in each.needs):
-            told = nothing or _checked(each, work, solution)
-            if told is not None and work.early is not None:
-                told = _without_context(*work.early)
-            found[each.key] = Result(each, told is None, told)
-        else:
+        if not all(found[needed.key].passed for needed in each.needs):
             found[each.key] = Result(each, None)
+            continue
+
+        told = nothing or _checked(each, work, solution)
+        if told is not None and each.key != "picture" and _state_in_lists(work):
+            told = hint(UNFOLLOWED)
+        if told is not None and work.early is not None:
+            told = _without_context(*work.early)
+        if told is not None and right and not each.demanded:
+            found[each.key] = Result(each, True, otherwise=True)
+        else:
+            found[each.key] = Result(each, told is None, told)
+
     return list(found.values())
+
+
+def same_pictures(tests: Iterable[Test], work: Evidence, solution: Evidence) -> bool:
+    """Return whether the test that every exercise has of its pictures passes."""
+    (pictures,) = [test for test in tests if test.key == "picture"]
+    return _nothing_to_check(work, solution) is None and _checked(pictures, work, solution) is None
 
 
 def _checked(test: Test, work: Evidence, solution: Evidence) -> Hint | None:
@@ -188,6 +221,25 @@ UNLIKE = _(
     "The program draws something else than the one you started from, so this cannot be checked. "
     "Compare it with a fresh one: landscape exercise start."
 )
+
+
+UNFOLLOWED = _(
+    "The program sets OpenGL's state inside display lists. What is set there cannot be followed, "
+    "so this cannot be checked; and the picture is not as it should be."
+)
+# What may be in a display list without changing the state that a test looks at.
+FOLLOWED = ("vertex", "begin_end", "matrix", "draw", "list")
+
+
+def _state_in_lists(work: Evidence) -> bool:
+    """Return whether a display list that the program executes changes the state of OpenGL."""
+    return any(
+        (known := spec.function(call.name)) is not None and known.group not in FOLLOWED
+        for frame in work.frames.values()
+        for top in frame.top
+        if isinstance(top, Call)
+        for call in expanded(top.inside, None)
+    )
 
 
 def _without_context(name: str, line: int) -> Hint:
@@ -232,6 +284,14 @@ def vertices(frame: Frame) -> int:
     return sum(len(draw.vertices) for draw in frame.draws)
 
 
+def equal_pictures(work: Evidence, solution: Evidence) -> bool:
+    """Return whether all pictures are equal but for rounding, and a few pixels at edges."""
+    return all(
+        differing(work.frame(number), wanted, FINE).mean() <= MOST
+        for number, wanted in solution.frames.items()
+    )
+
+
 # Pictures.
 
 Box = tuple[float, float, float, float]
@@ -242,17 +302,18 @@ Regions = Mapping[Any, Box | np.ndarray]
 
 
 @lru_cache(maxsize=16)  # the frames of one program
-def differing(work: Frame, solution: Frame) -> np.ndarray:
+def differing(work: Frame, solution: Frame, levels: int = LEVELS) -> np.ndarray:
     """Return which pixels differ, bool (h, w): from the solution's pixel and from its neighbours.
 
-    All of them if the sizes differ. The array is kept for the next call: do not change it.
+    By more than some ``levels``. All of them if the sizes differ. The array is kept for the next
+    call: do not change it.
     """
-    found = _differing(work, solution)
+    found = _differing(work, solution, levels)
     found.setflags(write=False)
     return found
 
 
-def _differing(work: Frame, solution: Frame) -> np.ndarray:
+def _differing(work: Frame, solution: Frame, levels: int) -> np.ndarray:
     if work.picture.shape != solution.picture.shape:
         return np.ones(work.picture.shape[:2], bool)
     # Only the part around all pixels that are not the same: often it is small.
@@ -261,7 +322,9 @@ def _differing(work: Frame, solution: Frame) -> np.ndarray:
     if other.any():
         around = tuple(slice(part.start, part.stop + 2 * REACH) for part in inside)
         padded = np.pad(solution.picture, ((REACH, REACH), (REACH, REACH), (0, 0)), mode="edge")
-        other[inside] = _beyond(work.picture[inside], solution.picture[inside], padded[around])
+        other[inside] = _beyond(
+            work.picture[inside], solution.picture[inside], padded[around], levels
+        )
     return other
 
 
@@ -271,12 +334,12 @@ def _extent(mask: np.ndarray) -> slice:
     return slice(places[0], places[-1] + 1) if len(places) else slice(0)
 
 
-def _beyond(theirs: np.ndarray, ours: np.ndarray, padded: np.ndarray) -> np.ndarray:
+def _beyond(theirs: np.ndarray, ours: np.ndarray, padded: np.ndarray, levels: int) -> np.ndarray:
     """Return which pixels of a part differ; ``padded`` is ours with REACH more on each side."""
-    found = _any_channel(np.maximum(ours, theirs) - np.minimum(ours, theirs) > LEVELS)
+    found = _any_channel(np.maximum(ours, theirs) - np.minimum(ours, theirs) > levels)
     # Most pixels that differ are beyond all of their neighbours; only for the others look at each.
     low, high = _extreme(np.minimum, padded), _extreme(np.maximum, padded)
-    beyond = (theirs > high) & (theirs - high > LEVELS) | (theirs < low) & (low - theirs > LEVELS)
+    beyond = (theirs > high) & (theirs - high > levels) | (theirs < low) & (low - theirs > levels)
     rows, columns = np.nonzero(found & ~_any_channel(beyond))
     mine = theirs[rows, columns].astype(np.int16)
     nearest = np.full(len(rows), 255)
@@ -284,7 +347,7 @@ def _beyond(theirs: np.ndarray, ours: np.ndarray, padded: np.ndarray) -> np.ndar
         for right in range(2 * REACH + 1):
             apart = np.abs(padded[rows + down, columns + right] - mine)
             nearest = np.minimum(nearest, np.maximum.reduce(apart.T))
-    found[rows, columns] = nearest > LEVELS
+    found[rows, columns] = nearest > levels
     return found
 
 

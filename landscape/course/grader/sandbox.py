@@ -54,11 +54,15 @@ STATUS = "status "
 
 @dataclass(frozen=True)
 class Job:
-    """A program to run: which frames to look at, after which events (program_events.py)."""
+    """A program to run: which frames to look at, after which events (program_events.py).
+
+    Without ``calls`` only the pictures of the frames are taken.
+    """
 
     path: str
     frames: Sequence[int]
     events: Sequence[dict[str, Any]] = ()
+    calls: bool = True
     seconds: float = SECONDS
     megabytes: int = MEGABYTES
 

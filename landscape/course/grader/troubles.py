@@ -18,6 +18,8 @@ SENTENCES: Texts = {
     "stack_underflow": "line {line}: the program raised GLError: stack underflow, in {call}: the "
     "stack has nothing left to pop, because less was pushed",
     "memory": "line {line}: the program needs more than {megabytes} MB of memory",
+    "calls": "calls OpenGL more often in a frame than the grader can note down: more can be drawn "
+    "with each call",
     "network": "line {line}: the program uses the network, which it cannot while it is checked",
     "start": "line {line}: the program starts another one, which it cannot while it is checked",
     "write": "line {line}: the program writes a file, which it cannot while it is checked",

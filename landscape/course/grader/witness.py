@@ -29,6 +29,7 @@ from landscape.course.grader.refusals import Refusals
 from landscape.course.grader.troubles import SENTENCES
 
 MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
+MANY_CALLS = "too many calls"
 LONGEST_CALL = 80  # chosen: characters of a call's arguments in a message
 # What changes between two draw calls without changing the rest of the state.
 UNREAD = ("vertex", "begin_end", "matrix")
@@ -43,10 +44,14 @@ def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
     """Run a program and write the evidence; ``leave`` ends the process."""
     refusals = Refusals(job["path"], job["folder"])
     sys.addaudithook(refusals)
-    witness = Witness(job["path"], job["frames"], answer.parent)
+    witness = Witness(job["path"], job["frames"], answer.parent, job["calls"])
 
     def end(found: dict[str, Any]) -> None:
-        answer.write_text(json.dumps(found))
+        try:
+            written = json.dumps(found)
+        except MemoryError:
+            written = json.dumps({"error": {"word": "calls"}})
+        answer.write_text(written)
         leave(0)
 
     witness.finished = lambda: end(witness.evidence())
@@ -78,7 +83,7 @@ def _trouble(
         if refusals.refused and raised[-1].startswith("PermissionError"):
             return {"word": refusals.refused, "line": line}
         if "MemoryError" in raised[-1]:
-            return {"word": "memory", "line": line}
+            return {"word": "calls" if MANY_CALLS in raised[-1] else "memory", "line": line}
         trouble = {"line": line, **_exception(error.details)}
         if witness.window is None and "call" in trouble:
             trouble["word"] = "early"  # where calls without a context are errors, as on Windows
@@ -136,12 +141,18 @@ def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 class Witness(ExitStack):
-    """Observes a program (see framelens/program/program_run.py) up to the last of some frames."""
+    """Observes a program (see framelens/program/program_run.py) up to the last of some frames.
 
-    def __init__(self, program: str, frames: Sequence[int], folder: Path) -> None:
+    Without ``calls`` it takes only their pictures.
+    """
+
+    def __init__(
+        self, program: str, frames: Sequence[int], folder: Path, calls: bool = True
+    ) -> None:
         super().__init__()
         self._program, self._writer = program, Writer(program)
         self._wanted, self._folder = set(frames), folder
+        self._records = calls
         self._unnoted = ExitStack()
         self._frames: dict[int, dict[str, Any]] = {}
         self._states: list[dict[str, Any]] = []
@@ -159,6 +170,8 @@ class Witness(ExitStack):
     def opened(self, window: Window) -> None:
         """Begin to record."""
         self.window = window
+        if not self._records:
+            return
         self._recorder = self.enter_context(recording(complete=True))
         self._recorder.before = self._before
         self._recorder.brief = []
@@ -166,6 +179,8 @@ class Witness(ExitStack):
 
     def frame_began(self, number: int) -> None:
         """Forget the frames before this one, but for the setup."""
+        if not self._records:
+            return
         self._looking = number in self._wanted
         if number:
             self._recorder.calls[:] = [c for c in self._recorder.calls if c.pass_ == "setup"]
@@ -190,13 +205,10 @@ class Witness(ExitStack):
                 pixels = read_pixels(size)
             name = f"frame-{number}.rgb"
             (self._folder / name).write_bytes(pixels.tobytes())
-            calls = self._recorder.calls
-            frame = [call for call in calls if call.pass_ != "setup"]
-            brief = self._recorder.brief or ()
             self._frames[number] = {
                 "size": list(size),
                 "pixels": name,
-                "calls": self._block(frame, brief, len(calls) - len(frame)),
+                "calls": self._calls_of_frame(),
             }
 
         if number == max(self._wanted):
@@ -212,14 +224,25 @@ class Witness(ExitStack):
             {name: value for name, value in each.items() if value != first[name]}
             for each in self._states[1:]
         ]
-        setup = [call for call in self._recorder.calls if call.pass_ == "setup"]
         return {
             "frames": self._frames,
-            "setup": self._block(setup),
+            "setup": self._calls_of_setup(),
             "states": [first, *others],
             "early": self.window.early if self.window is not None else None,
             **self._writer.written(self._folder),
         }
+
+    def _calls_of_frame(self) -> Any:
+        if not self._records:
+            return self._block(())
+        calls = self._recorder.calls
+        frame = [call for call in calls if call.pass_ != "setup"]
+        return self._block(frame, self._recorder.brief or (), len(calls) - len(frame))
+
+    def _calls_of_setup(self) -> Any:
+        if not self._records:
+            return self._block(())
+        return self._block([call for call in self._recorder.calls if call.pass_ == "setup"])
 
     def _block(self, calls: Sequence[Call], brief: Sequence[Brief] = (), before: int = 0) -> Any:
         more = {}
@@ -236,7 +259,7 @@ class Witness(ExitStack):
     def _before(self, call: Call) -> None:
         """Read the state before a call that draws."""
         if len(self._recorder.calls) + len(self._recorder.brief or ()) - self._begin > MOST_CALLS:
-            raise MemoryError
+            raise MemoryError(MANY_CALLS)
         group, draws = _kind(call.name)
         if group == "vertex":
             return
