@@ -1,12 +1,14 @@
 """Trials: a program that is right where an exercise looks, and wrong where it does not."""
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
 
+from landscape.commands.exercise_check import as_text
 from landscape.course.exercise import Grader, Report, exercise
+from landscape.course.grader.grading import UNFOLLOWED, Hint
 from landscape.course.grader.trial import HIGH, LAST, trial
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
@@ -45,12 +47,30 @@ WRONG = {
         "after these keys: SPACE",
     ),
 }
-# Other ways to a right picture than the tests look for.
+COLOR = "    glFogfv(GL_FOG_COLOR, (*FOG, 1))\n"
+# Right pictures made in other ways than the tests look for: what is changed, and by which test.
 OTHERWISE = {
-    "a wall of matrices by hand": (
+    "no buffer is drawn into": (
         "stencil_mirror",
-        "glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE)",
-        "glDrawBuffer(GL_NONE)",
+        [
+            ("glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE)", "glDrawBuffer(GL_NONE)"),
+            ("glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE)", "glDrawBuffer(GL_BACK)"),
+        ],
+        ["unseen"],
+    ),
+    "enumerants are plain numbers": (
+        "clip_plane",
+        [("glEnable(GL_CLIP_PLANE0)", "glEnable(0x3000)")],
+        [],
+    ),
+    "the state is set in a display list": (
+        "fog",
+        [
+            ("    glEnable(GL_FOG)\n", "    glNewList(1, GL_COMPILE)\n    glEnable(GL_FOG)\n"),
+            (COLOR, f"{COLOR}    draw_bay()\n    glDisable(GL_FOG)\n    glEndList()\n"),
+            ("        draw_bay()\n", "        glCallList(1)\n"),
+        ],
+        ["fogged"],
     ),
 }
 
@@ -61,12 +81,18 @@ def grader() -> Iterator[Grader]:
         yield grader
 
 
-def checked(grader: Grader, folder: Path, name: str, old: str, new: str) -> Report:
+def checked(grader: Grader, folder: Path, name: str, changes: Sequence[tuple[str, str]]) -> Report:
     code = (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
-    assert code.count(old) == 1
+    for old, new in changes:
+        assert code.count(old) == 1
+        code = code.replace(old, new)
     path = folder / "mine.py"
-    path.write_text(code.replace(old, new), encoding="utf-8")
+    path.write_text(code, encoding="utf-8")
     return grader.check(path)
+
+
+def failures(report: Report) -> dict[str, Hint]:
+    return {result.test.key: result.hint for result in report.results if result.hint is not None}
 
 
 @pytest.mark.parametrize("mistake", WRONG)
@@ -74,11 +100,40 @@ def test_a_mistake_that_no_announced_frame_shows_is_found_elsewhere(
     mistake: str, grader: Grader, tmp_path: Path
 ) -> None:
     name, old, new, words = WRONG[mistake]
-    report = checked(grader, tmp_path, name, old, new)
+    report = checked(grader, tmp_path, name, [(old, new)])
     assert report.error is None
     (failed,) = [result for result in report.results if not result.passed]
     assert failed is report.results[-1] and failed.test.key == "elsewhere"
     assert failed.hint is not None and words in failed.hint.written(str)
+
+
+@pytest.mark.parametrize("way", OTHERWISE)
+def test_another_way_to_a_right_picture_passes(way: str, grader: Grader, tmp_path: Path) -> None:
+    name, changes, tests = OTHERWISE[way]
+    report = checked(grader, tmp_path, name, changes)
+    assert report.passed, failures(report)
+    assert [result.test.key for result in report.results if result.otherwise] == tests
+    text = "\n".join(as_text(report, lambda text, context="": text))
+    assert text.count("in another way") == len(tests)
+
+
+def test_state_that_is_set_in_a_display_list_is_not_told_of(grader: Grader, tmp_path: Path) -> None:
+    changes = [("glFogi(GL_FOG_MODE, GL_EXP2)", "glFogi(GL_FOG_MODE, GL_EXP)")]
+    _name, more, _tests = OTHERWISE["the state is set in a display list"]
+    report = checked(grader, tmp_path, "fog", [*more, *changes])
+    assert failures(report) and all(hint.text == UNFOLLOWED for hint in failures(report).values())
+
+
+def test_what_the_task_names_is_asked_for_though_the_picture_is_right(
+    grader: Grader, tmp_path: Path
+) -> None:
+    call = "    glDrawElements(GL_TRIANGLES, TRIANGLES.size, GL_UNSIGNED_INT, TRIANGLES)\n"
+    loop = (
+        "    for three in TRIANGLES.reshape(-1, 3):\n"
+        "        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, three)\n"
+    )
+    report = checked(grader, tmp_path, "vertex_arrays", [(call, loop)])
+    assert report.error is None and list(failures(report)) == ["one_call"]
 
 
 def test_a_trial_presses_each_key_and_looks_at_a_high_window_and_a_late_frame() -> None:

@@ -36,7 +36,7 @@ from landscape.course.grader.evidence import NO_LINE, Call, Draw, Evidence, Fram
 
 LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
 REACH = 1  # pixels by which an edge may be elsewhere: other ways to compute it round differently
-FINE = 6  # chosen: levels by which it may where another way to the picture is not to be refused
+FINE = 2  # chosen: levels by which it may where another way to the picture is not to be refused
 FEWEST = 20  # chosen: pixels of a region that may differ, however small it is
 MOST = 0.0015  # chosen: the fraction of the pixels that may differ by more
 
@@ -190,7 +190,7 @@ def grade(
             continue
 
         told = nothing or _checked(each, work, solution)
-        if told is not None and each.key != "picture" and _state_in_lists(work):
+        if told is not None and each.key != "picture" and state_in_lists(work):
             told = hint(UNFOLLOWED)
         if told is not None and work.early is not None:
             told = _without_context(*work.early)
@@ -231,15 +231,27 @@ UNFOLLOWED = _(
 FOLLOWED = ("vertex", "begin_end", "matrix", "draw", "list")
 
 
-def _state_in_lists(work: Evidence) -> bool:
-    """Return whether a display list that the program executes changes the state of OpenGL."""
+def state_in_lists(work: Evidence) -> bool:
+    """Return whether a display list changes the state of OpenGL, and then draws something.
+
+    What it draws has the state from before the list, as far as the tests know.
+    """
     return any(
-        (known := spec.function(call.name)) is not None and known.group not in FOLLOWED
+        _draws_otherwise(top)
         for frame in work.frames.values()
         for top in frame.top
         if isinstance(top, Call)
-        for call in expanded(top.inside, None)
     )
+
+
+def _draws_otherwise(executing: Call) -> bool:
+    changed = False
+    for call in expanded(executing.inside, None):
+        known = spec.function(call.name)
+        if changed and spec.draws(call.name):
+            return True
+        changed = changed or (known is not None and known.group not in FOLLOWED)
+    return False
 
 
 def _without_context(name: str, line: int) -> Hint:

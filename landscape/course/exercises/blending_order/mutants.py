@@ -54,5 +54,4 @@ MUTANTS = {
             ("GL_ONE_MINUS_SRC_ALPHA)\n" + MASK, "GL_ONE_MINUS_SRC_ALPHA)\n"),
         ],
     ),
-    "still_blended": Mutant("leaves blending on", "restored", [("    glDisable(GL_BLEND)\n", "")]),
 }

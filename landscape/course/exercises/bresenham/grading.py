@@ -259,6 +259,7 @@ SLOPES = (
 @test(
     _("Each line has both its ends"),
     _("In all directions, (x0, y0) is its first pixel and (x1, y1) its last."),
+    demanded=True,
 )
 def ends(work, solution):
     for number in FRAMES:
@@ -322,6 +323,7 @@ def gaps(work, number):
         "for each row."
     ),
     needs=ends,
+    demanded=True,
 )
 def whole(work, solution):
     for number in FRAMES:
@@ -382,6 +384,7 @@ ROUNDED = (
         "than one."
     ),
     needs=whole,
+    demanded=True,
 )
 def close(work, solution):
     for number in FRAMES:
@@ -425,6 +428,7 @@ def close(work, solution):
     _("No pixel is returned twice"),
     _("A line that is blended with its background would have spots there."),
     needs=close,
+    demanded=True,
 )
 def once(work, solution):
     for number in FRAMES:
@@ -449,6 +453,7 @@ def once(work, solution):
     _("The pixels come in order"),
     _("From (x0, y0) to (x1, y1): dashes, or colors along a line, need it."),
     needs=once,
+    demanded=True,
 )
 def order(work, solution):
     for number in FRAMES:

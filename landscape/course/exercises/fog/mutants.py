@@ -32,11 +32,6 @@ MUTANTS = {
     "inverse": Mutant("takes the inverse of the distance", "density", [(DENSITY, "1 / HALF")]),
     "base_10": Mutant("takes the logarithm to base 10", "density", [("math.log(", "math.log10(")]),
     "guessed": Mutant("guesses a density", "density", [(DENSITY, "0.05")]),
-    "shorter": Mutant(
-        "leaves out what can hardly be seen",
-        "fogged",
-        [("for x, z in PILES:", "for x, z in PILES[:20]:")],
-    ),
     "black": Mutant("sets no colour", "color", [(COLOR, "")]),
     "grey": Mutant("takes another colour", "color", [("(*FOG, 1))\n", "(0.5, 0.5, 0.5, 1))\n")]),
     "blue_sky": Mutant("forgets the sky", "sky", [(SKY, "    glClearColor(0.3, 0.5, 0.8, 1)\n")]),

@@ -157,6 +157,7 @@ def points(quad):
 @test(
     _("Faces that look away are still left out"),
     _("Without culling both sides of a face are drawn, and a wrong order cannot be seen."),
+    demanded=True,
 )
 def culled(work, solution):
     for draw in work.last.draws:
@@ -182,6 +183,7 @@ def culled(work, solution):
     _("Each face is a square of side 1 on the grid of the cubes"),
     _("Its corners follow each other along its edges, and have whole coordinates."),
     needs=culled,
+    demanded=True,
 )
 def squares(work, solution):
     for number, quad in enumerate(quads(work)):
@@ -219,6 +221,7 @@ def squares(work, solution):
     _("Only faces between a cube and air are drawn"),
     _("All others are hidden by the two cubes between which they lie."),
     needs=squares,
+    demanded=True,
 )
 def only_exposed(work, solution):
     drawn = faces(work)
@@ -244,6 +247,7 @@ def only_exposed(work, solution):
     _("There are faces in all six directions"),
     _("The gate is seen from all sides; so each of the three axes counts in both directions."),
     needs=only_exposed,
+    demanded=True,
 )
 def directions(work, solution):
     seen = {(face[0], outward(face)) for face in faces(work)}
@@ -266,6 +270,7 @@ def directions(work, solution):
     _("Every face that has air in front of it is drawn"),
     _("Beside a cube at the border of the array there is air."),
     needs=directions,
+    demanded=True,
 )
 def whole(work, solution):
     missing = EXPOSED - set(faces(work))
@@ -307,6 +312,7 @@ def whole(work, solution):
     _("Each face is drawn once"),
     _("Drawn twice, it costs twice as much, and the picture does not show it."),
     needs=whole,
+    demanded=True,
 )
 def once(work, solution):
     drawn = faces(work)
@@ -325,6 +331,7 @@ def once(work, solution):
     _("Every face is counter-clockwise from outside"),
     _("Then the cross product of two edges points away from the cube."),
     needs=once,
+    demanded=True,
 )
 def order(work, solution):
     wrong = inward(work)

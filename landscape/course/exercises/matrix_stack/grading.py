@@ -245,6 +245,7 @@ def balanced(work, solution):
     _("Only pushes and pops were added"),
     _("A transformation that is taken back by its inverse adds its rounding errors in each frame."),
     needs=lamp,
+    demanded=True,
 )
 def unchanged(work, solution):
     kinds = ("glTranslate", "glRotate", "glScale")

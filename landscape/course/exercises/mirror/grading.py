@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from landscape.course.grader.grading import _, compare, hint, test
+from landscape.course.grader.grading import _, compare, hint, state_in_lists, test
 from landscape.course.grader.triangles import covered
 
 FRAMES = (0, 2)
@@ -173,8 +173,11 @@ def mirrored(work, solution):
     _("The image shows the outsides"),
     _("A mirrored triangle winds the other way round."),
     needs=mirrored,
+    demanded=True,
 )
 def front(work, solution):
+    if state_in_lists(work) and compare(work, solution) is None:
+        return None
     for number in FRAMES:
         for draw in images(work, number):
             state = draw.state
@@ -188,8 +191,8 @@ def front(work, solution):
             if state["GL_CULL_FACE_MODE"] != "GL_BACK":
                 return hint(
                     _(
-                        "glCullFace in line {line} culls the other faces. But that they are the "
-                        "back is wrong already: say which winding is the front."
+                        "The task asks that GL_CULL_FACE culls the back faces, and glCullFace in "
+                        "line {line} has it cull others. Say instead which winding is the front."
                     ),
                     line=line(work, "glCullFace"),
                 )

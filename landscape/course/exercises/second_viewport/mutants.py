@@ -65,11 +65,6 @@ MUTANTS = {
         "clears the whole window", "cleared", [(ENABLE, ""), (SCISSOR, ""), (DISABLE, "")]
     ),
     "not_enabled": Mutant("forgets to enable the scissor test", "cleared", [(ENABLE, "")]),
-    "no_depths": Mutant(
-        "does not clear the depths",
-        "cleared",
-        [(CLEAR, CLEAR.replace(" | GL_DEPTH_BUFFER_BIT", ""))],
-    ),
     "no_paper": Mutant("forgets the background", "cleared", [("    glClearColor(*PAPER)\n", "")]),
     "other_box": Mutant(
         "takes another scissor box", "cleared", [(SCISSOR, "    glScissor(0, 0, side, side)\n")]

@@ -54,6 +54,6 @@ MUTANTS = {
     "color_after": Mutant(
         "masks a color at the end",
         "restored",
-        [(DISABLE, DISABLE + "    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE)\n")],
+        [(DISABLE, DISABLE + "    glColorMask(GL_TRUE, GL_TRUE, GL_FALSE, GL_TRUE)\n")],
     ),
 }

@@ -28,6 +28,7 @@ def line(work, name, *first):
 @test(
     _("The vase is drawn from arrays"),
     _("glDrawElements takes the vertices from arrays, in the order of an array of indices."),
+    demanded=True,
 )
 def from_arrays(work, solution):
     if calls(work):
@@ -62,6 +63,7 @@ def from_arrays(work, solution):
     _("No glBegin is left for the vase"),
     _("Otherwise all the calls are still made, and the vase may be drawn twice."),
     needs=from_arrays,
+    demanded=True,
 )
 def no_begin(work, solution):
     blocks = [draw for draw in work.last.draws if draw.call.name == "glBegin"]
@@ -79,6 +81,7 @@ def no_begin(work, solution):
     _("It is one call"),
     _("The indices of all triangles follow each other, so that one call draws them all."),
     needs=no_begin,
+    demanded=True,
 )
 def one_call(work, solution):
     found = calls(work)

@@ -71,6 +71,7 @@ def listed(names):
 @test(
     _("Faces that look away are still left out"),
     _("Without culling both sides of a face are drawn, and a wrong order cannot be seen."),
+    demanded=True,
 )
 def culled(work, solution):
     for number in FRAMES:
@@ -90,6 +91,7 @@ def culled(work, solution):
     _("The front is still the counter-clockwise side"),
     _("The ten other faces are right as they are; the two wrong ones must become like them."),
     needs=culled,
+    demanded=True,
 )
 def front(work, solution):
     states = [draw.state for number in FRAMES for draw in gem(work, number)]
@@ -131,6 +133,7 @@ def front(work, solution):
     _("Each of the twelve faces is drawn once"),
     _("One that is listed in both orders would never be culled."),
     needs=front,
+    demanded=True,
 )
 def twelve(work, solution):
     found = [corners(face) for face in faces(work)]
@@ -195,6 +198,7 @@ def twelve(work, solution):
     _("Every triangle is counter-clockwise from outside"),
     _("Then the cross product of two edges points outward."),
     needs=twelve,
+    demanded=True,
 )
 def order(work, solution):
     wrong = [corners(face) for face in faces(work) if not outward(face)]
