@@ -81,15 +81,21 @@ def test_a_program_has_the_same_report_in_a_python_of_its_own(
 
 
 @pytest.mark.parametrize(
-    ("code", "word"),
+    ("code", "word", "grace"),
     [
-        (OPEN + "while True:\n    pass\n", "no_frame"),
-        (OPEN + "sum(range(10**13))\n", "late"),
+        (OPEN + "while True:\n    pass\n", "no_frame", 100.0),
+        (OPEN + "sum(range(10**13))\n", "late", sandbox.GRACE),
     ],
 )
 def test_a_loop_is_ended_in_a_python_of_its_own(
-    code: str, word: str, tmp_path: Path, started: None
+    code: str,
+    word: str,
+    grace: float,
+    tmp_path: Path,
+    started: None,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(sandbox, "GRACE", grace)
     path = tmp_path / "mine.py"
     path.write_text(HEAD + code)
     with Grader(1.0) as hasty:
