@@ -1,7 +1,21 @@
-"""``python -m landscape`` is the ``landscape`` command."""
+"""The ``landscape`` command: ``python -m landscape``, and the script of that name."""
 
 import sys
+from collections.abc import Callable
 
-from landscape.cli import main
+from framelens.base import starting
 
-sys.exit(main())
+
+def main() -> int:
+    """Run the command of this process's command line; return its exit status."""
+    return starting.run(_imported)
+
+
+def _imported() -> Callable[[], int]:
+    from landscape.cli import main
+
+    return main
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -176,6 +176,10 @@ WRONG = {
     "text": ("hello", "expected an SVG file (syntax error: line 1, column 0)"),
     "html": ("<html><svg/></html>", "expected an SVG file, with <svg> as its outermost element"),
     "cut off": (svg(image())[:-9], "expected an SVG file ("),
+    "encoding of several bytes": (
+        '<?xml version="1.0" encoding="utf-7"?><svg/>',
+        "expected an SVG file (multi-byte encodings are not supported)",
+    ),
     "unknown encoding": (
         '<?xml version="1.0" encoding="no-such"?><svg/>',
         "expected an SVG file (",

@@ -8,6 +8,7 @@ import contextlib
 import gc
 import io
 import os
+import signal
 import sys
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -50,6 +51,13 @@ def run_command(
         if argv is None:
             # Python ends by looking for garbage among all that was imported, which is none.
             gc.freeze()
+            _end_at_once_on_ctrl_c()
+
+
+def _end_at_once_on_ctrl_c() -> None:
+    """Leave Ctrl-C to the system from now on: Python's own end would print a traceback."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def on_program(path: str, work: Callable[[], int], options: argparse.Namespace) -> int:

@@ -73,7 +73,9 @@ def read_tree(path: Path) -> Element:
     parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
     try:
         parser.Parse(data, True)
-    except (expat.ExpatError, LookupError, UnicodeError) as error:
+    except InputError:
+        raise
+    except (expat.ExpatError, LookupError, ValueError) as error:  # the last two: its encoding
         raise InputError("{path}: expected an SVG file ({error})", path=path, error=error) from None
     if builder.root is None:
         raise InputError(
