@@ -58,3 +58,10 @@ class Diggable(Protocol):
 
         InputError, changing nothing, if it is not such a file or belongs to another land.
         """
+
+    def merged(self, base: bytes, theirs: bytes, name: str) -> bytes:
+        """Return what :meth:`saved` does, with the changes from ``base`` to ``theirs`` as well.
+
+        InputError if ``theirs`` is no such file or belongs to another land, or if both have changed
+        the same blocks.
+        """

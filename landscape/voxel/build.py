@@ -3,6 +3,7 @@
 All of it is kept in the cache, so that it is made once.
 """
 
+import contextlib
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -35,13 +36,13 @@ from landscape.voxel.landmarks import (
 from landscape.voxel.materials import filled, strata, top_materials, variation
 from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import SETS, TURNS, VERTEX, Look, RegionMesh, region_meshes, shown_tiles
-from landscape.voxel.packed_mesh import PackedMesh, packed
+from landscape.voxel.packed_mesh import LARGE, PackedMesh, packed
 from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel
-from landscape.voxel.world import MOST_BLOCKS, MOST_COLUMNS, ROOM, World
+from landscape.voxel.world import MOST_AT_ONCE, MOST_BLOCKS, MOST_COLUMNS, ROOM, World
 
-M = TypeVar("M")
 Meshes = Sequence[RegionMesh | PackedMesh]
+M = TypeVar("M", RegionMesh, PackedMesh)
 
 TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
 # Settings of which the world and its meshes are made.
@@ -68,6 +69,7 @@ MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once
 # Measured on two processors: 0.39 s instead of 0.46, and 6.0 s instead of 8.8 for 2,000 x 2,000
 # columns.
 THREADS = 2
+MOST_VERTICES = 22 << 20  # chosen: with the largest map they take 1.5 GB
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
 SKYLIGHT = {"up": 0.64, "down": 0.42}
@@ -75,6 +77,10 @@ SIDELIGHT = 0.54
 SUNLIGHT = 0.52
 BLUE_SKY = np.array([0.94, 0.98, 1.06])
 WARMER = 0.35  # chosen: how far the light of the sky has the colour of the sun's
+
+
+class TooManyVertices(InputError):
+    """The meshes of a world take more memory than they may."""
 
 
 def unchanged(mesh: RegionMesh) -> RegionMesh:
@@ -97,6 +103,14 @@ def image_heights(values: Voxel, assets: Assets) -> Heights:
             most=most,
             levels=values.levels,
             columns=columns,
+        )
+    if values.region_size**2 * tall > MOST_AT_ONCE:
+        raise InputError(
+            "setting voxel.region_size={region_size}: expected at most {most} for "
+            "{levels} levels: a region does not fit in memory",
+            region_size=values.region_size,
+            most=math.isqrt(MOST_AT_ONCE // tall),
+            levels=values.levels,
         )
     image = read_heights(assets.path(values.height_image, "voxel.height_image"))
     return heights(image, columns, values.levels)
@@ -207,14 +221,40 @@ def meshes(
         return [tuple(map(kept, each)) for each in zip(*found, strict=True)]
 
     starts = product(range(0, place.regions, rows), range(0, place.regions, number))
-    with ThreadPoolExecutor(THREADS) as workers:
+    workers = ThreadPoolExecutor(THREADS)
+    try:
         for found in workers.map(part, *zip(*starts, strict=True)):
             yield from found
+    finally:
+        # After Ctrl-C nobody waits for what the threads still do.
+        workers.shutdown(wait=False, cancel_futures=True)
 
 
-def by_level(found: Iterable[tuple[M, ...]]) -> list[M]:
-    """Return the meshes of all regions: first all those for near, then for far, then distant."""
-    return [mesh for level in zip(*found, strict=True) for mesh in level]
+def by_level(found: Iterable[tuple[M, ...]], most: int) -> list[M]:
+    """Return the meshes of all regions: first all those for near, then for far, then distant.
+
+    TooManyVertices once they have more than ``most`` vertices.
+    """
+    regions, count = [], 0
+    for region in found:
+        regions.append(region)
+        count += sum(mesh.size for mesh in region)
+        if count > most:
+            raise TooManyVertices(
+                "the land of blocks has more than {most} vertices, which do not fit in memory: "
+                "expected a smoother voxel.height_image, fewer levels or fewer changed blocks",
+                most=most,
+            )
+    return [mesh for level in zip(*regions, strict=True) for mesh in level]
+
+
+def all_meshes(place: World, colours: Look, values: Voxel) -> Meshes:
+    """Return the meshes of all regions, as :func:`by_level`, packed if they are large."""
+    if place.side <= MOST_KEPT:
+        with contextlib.suppress(TooManyVertices):
+            return by_level(meshes(place, colours, values, unchanged), LARGE)
+    give_back()
+    return by_level(meshes(place, colours, values, packed), MOST_VERTICES)
 
 
 def meshed(
@@ -260,7 +300,6 @@ def seen_from_afar(colours: Look) -> Look:
 def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, Meshes]:
     """Return the world, its colours and its meshes, from the cache if they were built before."""
     values = settings.voxel
-    side = values.regions * values.region_size
     colours = look(settings, image_heights(values, assets), seed)
     parts = (
         "voxel world",
@@ -270,21 +309,19 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
         colours.slope.tobytes(),
     )
 
-    if side > MOST_KEPT:
-        place = world(values, assets, seed)
-        give_back()
-        small = by_level(meshes(place, colours, values, packed))
-        give_back()
-        return place, colours, small
-
     def make() -> tuple[np.ndarray, ...]:
         place = world(values, assets, seed)
-        found = by_level(meshes(place, colours, values, unchanged))
+        found = by_level(meshes(place, colours, values, unchanged), LARGE)
         vertices = np.concatenate([mesh.vertices for mesh in found])
         counts = np.stack([mesh.counts for mesh in found])
         return place.blocks, place.ground, vertices.view(np.uint8), counts
 
-    blocks, ground, data, counts = recall(parts, make)
+    if values.regions * values.region_size > MOST_KEPT:
+        return _built_packed(settings, assets, seed, colours)
+    try:
+        blocks, ground, data, counts = recall(parts, make)
+    except TooManyVertices:
+        return _built_packed(settings, assets, seed, colours)
     place = World(blocks, ground, values.region_size, values.sea, values.block)
     vertices = data.view(VERTEX)
     ends = np.cumsum(counts.reshape(len(counts), -1).sum(axis=1))
@@ -294,3 +331,14 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
         for end, count in zip(ends, counts, strict=True)
     ]
     return place, colours, found
+
+
+def _built_packed(
+    settings: Settings, assets: Assets, seed: int, colours: Look
+) -> tuple[World, Look, Meshes]:
+    """Return what :func:`built` does, with packed meshes, of which the cache keeps nothing."""
+    place = world(settings.voxel, assets, seed)
+    give_back()
+    small = by_level(meshes(place, colours, settings.voxel, packed), MOST_VERTICES)
+    give_back()
+    return place, colours, small

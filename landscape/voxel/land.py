@@ -24,6 +24,8 @@ from landscape.gl.display_list import DisplayList
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import (
     BUILT,
+    Meshes,
+    all_meshes,
     built,
     face_light,
     image_heights,
@@ -44,10 +46,11 @@ from landscape.voxel.settings import Settings
 from landscape.voxel.tile_column import column
 from landscape.voxel.tiles import SIDE, plants, tiles
 from landscape.voxel.visibility import TESTS, distances, facing, visible_in_world
-from landscape.voxel.world import Cell
+from landscape.voxel.world import Cell, Changes
 
 FAR, DISTANT = 1, 2  # which of a region's meshes, after that for near
 LEVELS = 3
+MOST_ALONE = 16  # regions, chosen: more are meshed all together
 LEAST_ALPHA = 0.5  # chosen: texels of plants and of leaves nearby with less are not drawn
 
 
@@ -85,6 +88,17 @@ def light_from(settings: Settings) -> tuple[object, ...]:
     return settings.sun, settings.shadow.color, settings.voxel.slope
 
 
+def boxes(meshes: Meshes, block: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the least and the greatest corners (regions, 3) of all regions in units.
+
+    In memory all x come first, then all y, then all z: numpy is faster so, and each frame asks for
+    them often.
+    """
+    found = np.array([mesh.box for mesh in meshes]).reshape(LEVELS, -1, 2, 3) * block
+    low, high = found[:, :, 0].min(axis=0), found[:, :, 1].max(axis=0)
+    return np.asfortranarray(low), np.asfortranarray(high)
+
+
 class Land(Element[Settings]):
     """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units.
 
@@ -113,14 +127,10 @@ class Land(Element[Settings]):
         self._due: list[tuple[list[int], list[int]]] = []
         self.world, self.colours, found = built(settings, assets, seed)
         self._source = image_heights(settings.voxel, assets)
-        boxes = np.array([mesh.box for mesh in found]) * self.world.block
+        self.low, self.high = boxes(found, self.world.block)
         self.buffer = self._buffer(found)
         del found  # those of a large world take much memory
         give_back()
-        boxes = boxes.reshape(LEVELS, -1, 2, 3)
-        low, high = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
-        # All x, then all y, then all z: numpy is faster so, and each frame asks for them often.
-        self.low, self.high = np.asfortranarray(low), np.asfortranarray(high)
         self._horizon: Horizon | None = None  # once what hills hide is asked for
         pictures = tiles(assets)
         mipmaps, crisp = settings.voxel.mipmaps, settings.voxel.crisp
@@ -281,7 +291,12 @@ class Land(Element[Settings]):
 
     def change(self, blocks: Mapping[Cell, int]) -> None:
         """Change blocks that lie close together, and at once what can be seen of them."""
-        self._put(blocks)
+        for cell, kind in blocks.items():
+            self.world.put(cell, kind)
+        if self._horizon is not None:
+            for x, z in {cell[:2] for cell in blocks}:
+                self._horizon.change(x, z, self.world.blocks[x, z])
+
         cells = np.array(list(blocks))
         low, high = cells.min(axis=0).tolist(), (cells.max(axis=0) + 1).tolist()
         least, most = (np.array(end)[[0, 2, 1]] for end in (low, high))
@@ -310,22 +325,31 @@ class Land(Element[Settings]):
             self.touched.append((next(ends), next(ends)))
         self._due, self._late = self._late, []
 
-    def change_many(self, blocks: Mapping[Cell, int]) -> None:
-        """Change blocks anywhere, and mesh their regions again."""
-        regions: set[int] = set()
-        self._put(blocks)
-        for cell in blocks:
-            regions |= regions_around(self.world, cell, [at + 1 for at in cell])
-        for region in sorted(regions):
+    def restore(self, changes: Changes) -> None:
+        """Change these blocks and no others, anywhere, and mesh their regions again."""
+        world = self.world
+        places = world.restore(changes)
+        x, z, _ = world.cells(places)
+        if self._horizon is not None:
+            for i, k in np.unique(np.stack([x, z], axis=1), axis=0).tolist():
+                self._horizon.change(i, k, world.blocks[i, k])
+
+        # A block has a part in the meshes of the regions that it touches, too.
+        xs, zs = (np.clip([at - 1, at + 1], 0, world.side - 1) for at in (x, z))
+        regions = np.unique([world.region_of(i, k) for i in xs for k in zs]).tolist()
+        if len(regions) > MOST_ALONE:
+            self._rebuild_all()
+            return
+        for region in regions:
             self.rebuild(region)
 
-    def _put(self, blocks: Mapping[Cell, int]) -> None:
-        """Change blocks in the world, and what is known of how high its columns are solid."""
-        for cell, kind in blocks.items():
-            self.world.put(cell, kind)
-        if self._horizon is not None:
-            for x, z in {cell[:2] for cell in blocks}:
-                self._horizon.change(x, z, self.world.blocks[x, z])
+    def _rebuild_all(self) -> None:
+        """Mesh all regions again, many at once: sooner than one after the other."""
+        self.version += 1
+        found = all_meshes(self.world, self.colours, self.settings.voxel)
+        self.low, self.high = boxes(found, self.world.block)
+        self._renew(found)
+        self._stale.clear()
 
     def rebuild(self, region: int) -> None:
         """Mesh a region again, whose blocks have changed."""
@@ -343,10 +367,14 @@ class Land(Element[Settings]):
         if not self.buffer.replace(share, mesh):
             every = self.buffer.meshes()
             every[share] = mesh
-            self.buffer.release()
-            self.buffer = self._buffer(every)
-            if self._lit_otherwise():
-                self.buffer.relight(self._light())
+            self._renew(every)
+
+    def _renew(self, every: Meshes) -> None:
+        """Make the buffer anew, with these meshes."""
+        self.buffer.release()
+        self.buffer = self._buffer(every)
+        if self._lit_otherwise():
+            self.buffer.relight(self._light())
 
     def take(self, settings: Settings) -> None:
         """Take other settings: another light needs no other meshes, only other colours."""

@@ -14,6 +14,7 @@ import numpy as np
 from landscape.voxel.mesh import VERTEX, RegionMesh
 
 LEVEL = 1  # of zlib, chosen: the fastest; the others save little more
+LARGE = 1 << 23  # vertices, chosen: of a world whose meshes are packed
 WORDS = VERTEX.itemsize // 4  # of a vertex: s, t, the colour, x, y, z
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from framelens.base.errors import InputError
 from framelens.base.texts import Phrases
 from framelens.gl.seam import drawing
 from landscape.files.assets import Assets
@@ -22,7 +23,7 @@ from landscape.voxel.picking import Hit, picked, picked_through_water
 from landscape.voxel.settings import Settings
 from landscape.voxel.water_images import FLATTER
 from landscape.voxel.world import Cell
-from landscape.voxel.world_file import decoded, encoded
+from landscape.voxel.world_file import decoded, encoded, merged
 
 REACH = 6.0  # blocks, chosen: to the ground down a slope, too
 # The kinds of blocks that a walker begins with. Chosen.
@@ -169,12 +170,29 @@ class Played:
 
     def saved(self) -> bytes:
         """Return the changed blocks, and on what land, as the content of a file."""
-        return encoded(self.land.world, self._made_from())
+        return encoded(self.land.world.changes, self._made_from())
 
     def restore(self, data: bytes, name: str) -> None:
         """Change blocks as a file's content says, and no others; InputError."""
-        found = decoded(data, name, self.land.world, self._made_from())
-        self.land.change_many(self.land.world.former | found)
+        self.land.restore(decoded(data, name, self.land.world, self._made_from()))
+
+    def merged(self, base: bytes, theirs: bytes, name: str) -> bytes:
+        """Return what :meth:`saved` does with what another walk has changed since ``base``.
+
+        That is ``theirs``, the content of a file named ``name``. InputError if it is not of this
+        land, or both have changed the same blocks.
+        """
+        world, land = self.land.world, self._made_from()
+        found, conflicts = merged(
+            decoded(base, name, world, land), world.changes, decoded(theirs, name, world, land)
+        )
+        if conflicts:
+            raise InputError(
+                "{name}: another walk has changed {conflicts} of the same blocks",
+                name=name,
+                conflicts=conflicts,
+            )
+        return encoded(found, land)
 
     def draw_aim(self, frame: Frame) -> None:
         """Draw the edges of the block under the cross-hair, and the cross-hair."""

@@ -24,13 +24,13 @@ from framelens.gl.seam import gl
 from landscape.gl.features import possible
 from landscape.voxel.memory import give_back
 from landscape.voxel.mesh import PLANTS, SETS, SHORE, TURNS, UP, VERTEX, WET, RegionMesh, at_corner
-from landscape.voxel.packed_mesh import PackedMesh, packed, unpacked
+from landscape.voxel.packed_mesh import LARGE, PackedMesh, packed, unpacked
 
 MARGIN = 1.25  # chosen: a share is this much larger than its mesh, for blocks to be placed
 Y_OFFSET = 16  # bytes, of y within a vertex: two coordinates, a colour and x come before it
 SPARE = 512  # vertices, chosen: and by at least this
-LARGE = 1 << 23  # vertices, chosen: in a larger buffer it is larger only by the following
-LITTLE_SPARE = 128  # vertices, chosen: a block that is placed takes up to 24
+# Vertices, chosen: in a LARGE buffer the share is larger only by this; a block takes up to 24.
+LITTLE_SPARE = 128
 RESERVE = 1 << 17  # vertices, chosen: room behind all shares, for those that become too small
 AT_ONCE = 1 << 18  # vertices, chosen: so many are lit anew at a time
 FINISHED = 64  # chosen: so many shares of a large world are uploaded at a time

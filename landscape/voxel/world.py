@@ -5,6 +5,7 @@ Blocks are indexed [x, z, y], east, south and up; a region is a square of column
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,7 +16,16 @@ Cell = tuple[int, int, int]  # [x, z, y]
 ROOM = 44  # blocks, chosen: room above the highest column, for trees and towers
 BELOW = 0.14  # blocks, chosen: how far the water is below the top of its block
 MOST_BLOCKS = 640 << 20  # bytes, chosen: what the blocks of a world may take
-MOST_COLUMNS = 2048  # on each side, chosen: what the faces of a world may take
+# On each side, chosen: building a larger world takes more than 20 seconds of the processor.
+MOST_COLUMNS = 1800
+MOST_AT_ONCE = 160 << 20  # blocks of a region, chosen: meshing one takes four bytes for each
+
+
+class Changes(NamedTuple):
+    """Changed blocks: ``places`` (n,) in the blocks' flat array, increasing, and ``kinds`` (n,)."""
+
+    places: np.ndarray
+    kinds: np.ndarray
 
 
 @dataclass
@@ -31,7 +41,8 @@ class World:
     region_size: int
     sea: int
     block: float
-    former: dict[Cell, int] = field(default_factory=dict)  # what changed blocks were before
+    # What changed blocks were before, by their places in the flat array.
+    former: dict[int, int] = field(default_factory=dict)
 
     @property
     def side(self) -> int:
@@ -60,10 +71,37 @@ class World:
 
     def put(self, cell: Cell, kind: int) -> None:
         """Change a block [x, z, y], and keep in mind what it was at the beginning."""
-        before = int(self.blocks[cell])
-        if self.former.setdefault(cell, before) == kind:
-            del self.former[cell]
+        before, place = int(self.blocks[cell]), self.place(cell)
+        if self.former.setdefault(place, before) == kind:
+            del self.former[place]
         self.blocks[cell] = kind
+
+    def place(self, cell: Cell) -> int:
+        """Return the place of a block [x, z, y] in the flat array."""
+        x, z, y = cell
+        return (x * self.side + z) * self.blocks.shape[2] + y
+
+    def cells(self, places: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Return x, z and y (n,) of places (n,) in the flat array."""
+        return np.unravel_index(places, self.blocks.shape)
+
+    @property
+    def changes(self) -> Changes:
+        """The blocks that are not as they were at the beginning."""
+        places = np.sort(np.fromiter(self.former, np.intp, len(self.former)))
+        return Changes(places, self.blocks[self.cells(places)])
+
+    def restore(self, changes: Changes) -> np.ndarray:
+        """Change these blocks and no others; return the places (n,) that may be different now."""
+        back = np.fromiter(self.former, np.intp, len(self.former))
+        self.blocks[self.cells(back)] = np.fromiter(self.former.values(), np.uint8, len(back))
+        at = self.cells(changes.places)
+        before = self.blocks[at]
+        differ = before != changes.kinds
+        pairs = zip(changes.places[differ].tolist(), before[differ].tolist(), strict=True)
+        self.former = dict(pairs)
+        self.blocks[at] = changes.kinds
+        return np.union1d(back, changes.places)
 
     def region_of(self, x: int, z: int) -> int:
         """Return the region of a column."""

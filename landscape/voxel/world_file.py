@@ -2,8 +2,8 @@
 
 The first line is JSON: the format's version, what the land was made from, the names of the kinds of
 blocks, how many blocks have changed, and a digest of what follows. That is, compressed by zlib, the
-place of each changed block in the array (uint32) and then the kind of each (uint8), its place in
-the list of names.
+place of each changed block in the array (uint32, increasing) and then the kind of each (uint8), its
+place in the list of names.
 """
 
 import hashlib
@@ -16,33 +16,32 @@ import numpy as np
 
 from framelens.base.errors import InputError, short
 from landscape.voxel.blocks import BLOCKS, NUMBERS
-from landscape.voxel.world import Cell, World
+from landscape.voxel.world import Changes, World
 
 VERSION = 1
 HEAD = "landscape voxel world"
 LONGEST_HEAD = 1 << 16  # bytes, chosen
-MOST_CHANGES = 32 << 20  # blocks, chosen: what fits into 160 MB
+MOST_CHANGES = 1_000_000  # blocks, chosen: who digs five a second has them after 55 hours
 PLACE, KIND = np.dtype("<u4"), np.dtype("u1")
+UNCHANGED = -1  # beside the kinds of blocks
 WHAT = "expected a file that `walk voxel --world` has saved"
 
 
-def encoded(world: World, land: Mapping[str, Any]) -> bytes:
-    """Return a world's changes as the content of a file; ``land`` says what it is made from."""
-    cells = np.array(sorted(world.former), np.intp).reshape(-1, 3)
-    places = np.ravel_multi_index(tuple(cells.T), world.blocks.shape).astype(PLACE)
-    kinds = world.blocks[tuple(cells.T)].astype(KIND)
+def encoded(changes: Changes, land: Mapping[str, Any]) -> bytes:
+    """Return changes as the content of a file; ``land`` says what it is made from."""
+    places, kinds = changes.places.astype(PLACE), changes.kinds.astype(KIND)
     body = zlib.compress(places.tobytes() + kinds.tobytes(), 6)
     head = {
         HEAD: VERSION,
         "land": dict(land),
         "kinds": [each.name for each in BLOCKS],
-        "changes": len(cells),
+        "changes": len(places),
         "digest": hashlib.sha256(body).hexdigest(),
     }
     return json.dumps(head).encode() + b"\n" + body
 
 
-def decoded(data: bytes, name: str, world: World, land: Mapping[str, Any]) -> dict[Cell, int]:
+def decoded(data: bytes, name: str, world: World, land: Mapping[str, Any]) -> Changes:
     """Return the blocks that a file's content changes; ``name`` stands for the file in messages.
 
     InputError if it is no such file, is damaged, or belongs to a land made from something else.
@@ -52,7 +51,10 @@ def decoded(data: bytes, name: str, world: World, land: Mapping[str, Any]) -> di
     count, digest = head.get("changes"), head.get("digest")
     if type(count) is not int or not 0 <= count <= MOST_CHANGES:
         raise InputError(
-            "{name}: changes {count}: expected a number of blocks", name=name, count=short(count)
+            "{name}: changes {count}: expected a number of blocks, at most {most}",
+            name=name,
+            count=short(count),
+            most=MOST_CHANGES,
         )
     if hashlib.sha256(body).hexdigest() != digest:
         raise InputError(
@@ -71,17 +73,39 @@ def decoded(data: bytes, name: str, world: World, land: Mapping[str, Any]) -> di
             name=name,
             count=count,
         )
-    places = np.frombuffer(unpacked, PLACE, count)
+    places = np.frombuffer(unpacked, PLACE, count).astype(np.intp)
     kinds = np.frombuffer(unpacked, KIND, count, count * PLACE.itemsize)
     if count and int(places.max()) >= world.blocks.size:
         raise InputError("{name}: changes a block outside the map", name=name)
+    if (np.diff(places) <= 0).any():
+        raise InputError("{name}: expected each changed block once, in order", name=name)
     if count and int(kinds.max()) >= len(numbers):
         raise InputError(
             "{name}: has a block of an unknown kind, {int}", name=name, int=int(kinds.max())
         )
-    cells = np.stack(np.unravel_index(places, world.blocks.shape), axis=1).tolist()
-    found = np.array(numbers, np.intp)[kinds].tolist()
-    return {(x, z, y): kind for (x, z, y), kind in zip(cells, found, strict=True)}
+    return Changes(places, np.array(numbers, np.uint8)[kinds])
+
+
+def merged(base: Changes, mine: Changes, theirs: Changes) -> tuple[Changes, int]:
+    """Return what two walks have changed that both began with ``base``, each somewhere else.
+
+    Also in how many places they have made different changes; there it is ``mine``.
+    """
+    places = np.unique(np.concatenate([each.places for each in (base, mine, theirs)]))
+    was, now, other = (_at(places, each) for each in (base, mine, theirs))
+    here, there = now != was, other != was
+    kinds = np.where(here, now, other)
+    changed = kinds != UNCHANGED
+    conflicts = here & there & (now != other)
+    found = Changes(places[changed], kinds[changed].astype(np.uint8))
+    return found, int(np.count_nonzero(conflicts))
+
+
+def _at(places: np.ndarray, changes: Changes) -> np.ndarray:
+    """Return the kinds (n,) of changes at places (n,) that include theirs, else UNCHANGED."""
+    kinds = np.full(len(places), UNCHANGED)
+    kinds[np.searchsorted(places, changes.places)] = changes.kinds
+    return kinds
 
 
 def _head(data: bytes, name: str) -> tuple[dict[str, Any], bytes]:
