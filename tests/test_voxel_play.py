@@ -37,8 +37,9 @@ from landscape.voxel.patch import patched, regions_around
 from landscape.voxel.picking import picked, picked_through_water
 from landscape.voxel.tile_column import PLACES, ROWS
 from landscape.voxel.water_images import FLATTER
-from landscape.voxel.world import World
+from landscape.voxel.world import Changes, World
 from landscape.voxel.world_file import decoded, encoded
+from landscape.walk.builder import WorldFile
 
 EYE = 1.625
 SEA = 4  # the lowest level of dry land
@@ -444,6 +445,9 @@ def packed(places: list[int], numbers: list[int], **head: Any) -> bytes:
         (packed([24 * 24 * 20], [1]), "outside the map"),
         (packed([7], [200]), "unknown kind, 200"),
         (packed([7], [1], kinds=["air"]), "unknown kind, 1"),
+        (packed([7, 7], [1, 2]), "each changed block once"),
+        (packed([8, 7], [1, 2]), "each changed block once"),
+        (forged(changes=1_000_001), "changes 1000001"),
     ],
 )
 def test_a_file_that_is_no_world_of_this_land_is_refused(data: bytes, said: str) -> None:
@@ -461,7 +465,7 @@ from landscape.walk.builder import WorldFile
 class Scene:
     changes = slot = count = 0
     def use(self, *given): return ""
-    choose = bar = restore = use
+    choose = bar = restore = merged = use
     def saved(self):
         self.count += 1
         return b"%08d" % self.count * 200_000 + b"end"
@@ -512,6 +516,88 @@ def test_a_saved_world_is_for_the_same_columns_however_they_are_divided_into_reg
             assert (other.land.world.blocks == changed).all()
     with played(3, 15) as larger, pytest.raises(InputError, match=r"my\.world: made with size"):
         larger.restore(data, "my.world")
+
+
+def test_two_walks_with_one_file_keep_what_both_have_changed(tmp_path: Path) -> None:
+    path = tmp_path / "my.world"
+    lamp, a, b, c = block("lamp"), (19, 20, 5), (20, 20, 5), (3, 3, 5)
+    with played(2, 20) as scene:
+        land = scene.land
+        empty = scene.saved()
+        one, other = WorldFile(path), WorldFile(path)
+        one.opened(scene)
+        other.opened(scene)
+        land.change({a: lamp})
+        assert one.save(scene)
+        mine = scene.saved()
+
+        scene.restore(empty, "none")
+        land.change({b: lamp})
+        assert other.save(scene)
+        theirs = scene.saved()
+
+        # What the other has put there is not taken away by one who does not see it.
+        scene.restore(mine, "mine")
+        land.change({c: lamp})
+        assert one.save(scene) and not one.save(scene)
+        mine = scene.saved()
+        scene.restore(path.read_bytes(), "my.world")
+        places = [land.world.place(cell) for cell in (c, a, b)]
+        assert scene.land.world.changes.places.tolist() == places
+
+        # Both change the same block: the file stays, and the second is saved beside it.
+        scene.restore(mine, "mine")
+        land.change({(9, 9, 5): lamp})
+        assert one.save(scene)
+        before = path.read_bytes()
+        scene.restore(theirs, "theirs")
+        land.change({(9, 9, 5): block("brick"), (8, 9, 5): lamp})
+        with pytest.raises(
+            InputError, match=r"changed 1 of the same blocks.*my-0001\.world"
+        ) as said:
+            other.save(scene)
+        assert "\n" not in str(said.value) and path.read_bytes() == before
+        assert (tmp_path / "my-0001.world").read_bytes() == scene.saved()
+        land.change({(7, 9, 5): lamp})
+        assert other.save(scene) and path.read_bytes() == before
+        assert (tmp_path / "my-0001.world").read_bytes() == scene.saved()
+        assert {each.name for each in tmp_path.iterdir()} == {"my.world", "my-0001.world"}
+
+
+@pytest.mark.parametrize("content", [b"", b"notes", None])
+def test_a_world_file_that_became_something_else_in_the_meantime_is_not_overwritten(
+    tmp_path: Path, content: bytes | None
+) -> None:
+    path = tmp_path / "my.world"
+    with played(2, 20) as scene:
+        file = WorldFile(path)
+        file.opened(scene)
+        scene.land.change({(19, 20, 5): block("lamp")})
+        assert file.save(scene)
+        path.unlink()
+        if content is not None:
+            path.write_bytes(content)
+        scene.land.change({(18, 20, 5): block("lamp")})
+        if content is None:
+            assert file.save(scene) and path.read_bytes() == scene.saved()
+            return
+        with pytest.raises(InputError, match="this walk is saved in"):
+            file.save(scene)
+        assert path.read_bytes() == content
+        assert (tmp_path / "my-0001.world").read_bytes() == scene.saved()
+
+
+def test_hundreds_of_thousands_of_changed_blocks_are_restored_within_the_bounds() -> None:
+    with played(4, 40) as scene:
+        world = scene.land.world
+        places = np.arange(0, world.blocks.size, 12)
+        kinds = np.where(world.blocks.ravel()[places] == ROCK, AIR, ROCK).astype(np.uint8)
+        began = time.process_time()
+        scene.land.restore(Changes(places, kinds))
+        assert time.process_time() - began < 20
+        assert (world.blocks.ravel()[places] == kinds).all()
+        scene.land.restore(Changes(places[:0], kinds[:0]))
+        assert not world.former
 
 
 # A walk on the null platform.

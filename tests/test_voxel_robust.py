@@ -124,7 +124,7 @@ def test_without_shadows_faces_are_lit_as_if_there_were_none(
     [
         ({"regions": 64, "region_size": 1000}, 1800),
         ({"regions": 64, "region_size": 1000, "levels": 400}, 1229),
-        ({"regions": 1, "region_size": 1000, "levels": 400, "height_image": "none.png"}, 0),
+        ({"regions": 1, "region_size": 600, "levels": 400, "height_image": "none.png"}, 0),
     ],
 )
 def test_a_world_that_does_not_fit_in_memory_is_refused_and_so_is_a_missing_image(
@@ -276,3 +276,18 @@ def test_a_packed_mesh_takes_a_fifth_of_its_vertices_and_is_unpacked_as_it_was()
         again = unpacked(small)
         assert again.vertices.dtype == mesh.vertices.dtype
         np.testing.assert_array_equal(again.vertices, mesh.vertices)
+
+
+def test_a_region_and_a_land_that_do_not_fit_in_memory_are_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    region = {"voxel.regions": 1, "voxel.region_size": 1000, "voxel.levels": 400}
+    with pytest.raises(InputError, match=r"voxel\.region_size=1000: expected at most 614"):
+        source(with_settings(SCENE.settings, region).voxel, Assets())
+
+    small = {"voxel.regions": 2, "voxel.region_size": 16}
+    monkeypatch.setattr(build, "LARGE", 1000)
+    monkeypatch.setattr(build, "MOST_VERTICES", 2000)
+    refusal = pytest.raises(InputError, match="more than 2000 vertices")
+    with refusal, Offscreen((8, 8), None, small, "auto", 0, place="voxel") as drawn:
+        drawn.draw()

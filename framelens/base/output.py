@@ -5,6 +5,7 @@ Everything that the program writes to a path goes through :class:`Output`.
 
 import contextlib
 import errno
+import functools
 import io
 import itertools
 import os
@@ -17,17 +18,18 @@ import numpy as np
 from PIL import Image
 
 from framelens.base.errors import InputError, reason
-from framelens.system import replace
+from framelens.system import claimed, clear, replace, still_claimed
 
+BEGIN, END = ".landscape.", ".part"  # of the name of a temporary file
 WRITABLE = "a folder that can be written"
 
 
 class Output:
     """A file being written: it appears, or replaces an earlier one, whole, by :meth:`finish`.
 
-    Until then the data are in a temporary file beside it. Folders are made where needed, and
-    symbolic links are followed. A device or a pipe is never replaced: the data go straight into
-    it, and cannot be taken back.
+    Until then the data are in a temporary file beside it; one that a killed process has left there
+    is deleted. Folders are made where needed, and symbolic links are followed. A device or a pipe
+    is never replaced: the data go straight into it, and cannot be taken back.
     """
 
     def __init__(self, path: Path, name: str = "") -> None:
@@ -55,8 +57,12 @@ class Output:
         folder = Path(self._target).parent
         self._folders = [p for p in (folder, *folder.parents) if not p.exists()]
         folder.mkdir(parents=True, exist_ok=True)
-        handle, self._temporary = tempfile.mkstemp(".part", ".landscape.", folder)
-        return os.fdopen(handle, "wb")
+        _clear(folder)
+        while True:
+            handle, self._temporary = tempfile.mkstemp(END, BEGIN, folder)
+            if claimed(handle):
+                return os.fdopen(handle, "wb")
+            os.close(handle)  # another process has taken it for one that was left behind
 
     def write(self, data: bytes) -> None:
         """Hand data to the system: should the program be killed, they are in the temporary file."""
@@ -80,10 +86,11 @@ class Output:
     def finish(self) -> None:
         """Complete the file; InputError where the disk is full."""
         with self._undone_on_error():
-            if self._temporary:
-                os.fsync(self._file.fileno())
-            self._file.close()
-            if self._temporary:
+            if not self._temporary:
+                return self._file.close()
+            os.fsync(self._file.fileno())
+            with still_claimed(self._file.fileno()):
+                self._file.close()
                 replace(self._temporary, self._target)
                 self._temporary, self._folders = "", []
 
@@ -110,6 +117,17 @@ class Output:
             if isinstance(error, OSError):
                 raise _cannot_be_written(self._name, error) from None
             raise
+
+
+@functools.cache
+def _clear(folder: Path) -> None:
+    """Delete the temporary files of processes that were killed; once for each folder."""
+    with contextlib.suppress(OSError):
+        left = [each.path for each in os.scandir(folder) if each.name.startswith(BEGIN)]
+        for path in left:
+            if path.endswith(END):
+                with contextlib.suppress(OSError):
+                    clear(path)
 
 
 def _cannot_be_written(name: str, error: OSError) -> InputError:

@@ -9,39 +9,51 @@ import sys
 if sys.platform == "win32":
     from framelens.system.windows import (
         ENDING_SIGNALS,
+        claimed,
+        clear,
         interrupts_held,
         is_closed_pipe,
+        locked,
         memory,
         processors,
         quoted,
         read_parts,
         replace,
         starting_workers,
+        still_claimed,
         user_language,
     )
 else:
     from framelens.system.posix import (
         ENDING_SIGNALS,
+        claimed,
+        clear,
         interrupts_held,
         is_closed_pipe,
+        locked,
         memory,
         processors,
         quoted,
         read_parts,
         replace,
         starting_workers,
+        still_claimed,
         user_language,
     )
 
 __all__ = [
     "ENDING_SIGNALS",
+    "claimed",
+    "clear",
     "interrupts_held",
     "is_closed_pipe",
+    "locked",
     "memory",
     "processors",
     "quoted",
     "read_parts",
     "replace",
     "starting_workers",
+    "still_claimed",
     "user_language",
 ]

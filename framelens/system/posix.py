@@ -1,5 +1,7 @@
 """Linux, macOS and other systems with POSIX calls."""
 
+import contextlib
+import fcntl
 import os
 import select
 import shlex
@@ -27,6 +29,65 @@ def quoted(name: str) -> str:
 def replace(source: str, target: str) -> None:
     """Rename a file, in place of another even while that is being read."""
     os.replace(source, target)
+
+
+LOCK_S = 5.0  # chosen: who holds a lock for longer does not work, as after Ctrl-Z
+LOCK_PAUSE_S = 0.01
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Let no other process into a block for the same file, which need not exist.
+
+    TimeoutError if one is in there for long. The lock is the folder's, so that nothing is left
+    behind; a file system without locks has none.
+    """
+    number = os.open(path.parent, os.O_RDONLY | os.O_CLOEXEC)
+    try:
+        _lock(number)
+        yield
+    finally:
+        os.close(number)
+
+
+def _lock(number: int) -> None:
+    end = time.monotonic() + LOCK_S
+    while True:
+        try:
+            return fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            if time.monotonic() > end:
+                raise TimeoutError from None
+        except OSError:
+            return None
+        time.sleep(LOCK_PAUSE_S)
+
+
+def claimed(number: int) -> bool:
+    """Mark an open temporary file as in use until it is closed; False if it has been deleted."""
+    with contextlib.suppress(OSError):
+        fcntl.flock(number, fcntl.LOCK_EX)
+    return os.fstat(number).st_nlink > 0
+
+
+@contextmanager
+def still_claimed(number: int) -> Iterator[None]:
+    """Keep a file marked as in use inside the block, in which it may be closed."""
+    other = os.dup(number)
+    try:
+        yield
+    finally:
+        os.close(other)
+
+
+def clear(path: str) -> None:
+    """Delete a temporary file that no process has marked as in use; OSError."""
+    number = os.open(path, os.O_RDWR | os.O_NONBLOCK | os.O_NOFOLLOW | os.O_CLOEXEC)
+    try:
+        fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        os.unlink(path)
+    finally:
+        os.close(number)
 
 
 def read_parts(path: Path, size: int, deadline: float) -> Generator[bytes, None, None]:

@@ -45,6 +45,50 @@ def replace(source: str, target: str) -> None:
     os.replace(source, target)
 
 
+LOCK_S = 5.0  # chosen: who holds a lock for longer does not work
+OLD_S = 3600.0  # chosen: nobody writes one file for longer without adding to it
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Let no other process into a block for the same file, which need not exist.
+
+    TimeoutError if one is in there for long. The lock is a file beside it, which Windows deletes
+    with the process.
+    """
+    lock, end = f"{path}.lock", time.monotonic() + LOCK_S
+    while True:
+        try:
+            flags = os.O_CREAT | os.O_EXCL | os.O_RDWR | os.O_TEMPORARY | os.O_NOINHERIT
+            number = os.open(lock, flags)
+            break
+        except (FileExistsError, PermissionError):
+            if time.monotonic() > end:
+                raise TimeoutError from None
+        time.sleep(REPLACE_PAUSE_S)
+    try:
+        yield
+    finally:
+        os.close(number)
+
+
+def claimed(number: int) -> bool:
+    """Mark an open temporary file as in use until it is closed: so is any that is open."""
+    return True
+
+
+@contextmanager
+def still_claimed(number: int) -> Iterator[None]:
+    """Keep a file marked as in use inside the block, in which it may be closed: it is too new."""
+    yield
+
+
+def clear(path: str) -> None:
+    """Delete a temporary file that no process has open and that is old; OSError."""
+    if time.time() - os.stat(path).st_mtime > OLD_S:
+        os.unlink(path)
+
+
 def read_parts(path: Path, size: int, deadline: float) -> Generator[bytes, None, None]:
     """Yield the bytes of a file, a pipe or a device in parts of at most ``size`` bytes.
 

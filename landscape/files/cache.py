@@ -146,6 +146,8 @@ def _content(path: str, changed: int, size: int) -> bytes:
 def _read(path: Path) -> Arrays | None:
     """Return the arrays in a file; None if there is none, or it is damaged or another's."""
     try:
+        if not _plain(path):
+            return None
         data = np.fromfile(path, np.uint8)
         os.utime(path)  # the time of its last use: older files are deleted first
     except OSError:
@@ -170,6 +172,12 @@ def _read(path: Path) -> Arrays | None:
     return tuple(arrays)
 
 
+def _plain(path: Path) -> bool:
+    """Return whether a path leads to a file of a size that is written here; OSError."""
+    found = path.stat()
+    return stat.S_ISREG(found.st_mode) and found.st_size <= MOST_BYTES
+
+
 def _begin(path: Path) -> bytes:
     """Return the bytes a file of this name begins with."""
     return MAGIC + bytes.fromhex(path.stem)
@@ -185,6 +193,9 @@ def _write(path: Path, arrays: Arrays) -> None:
     # Each array begins at an aligned offset, so that it can be used in place, without a copy.
     table += b" " * (-(HEAD_BYTES + len(table)) % ALIGNED)
     body = [table, *(part.tobytes() + bytes(-part.nbytes % ALIGNED) for part in arrays)]
+    with contextlib.suppress(OSError):
+        if not _plain(path):
+            path.unlink()  # a pipe or a device, into which it would be written
     begin = _begin(path) + len(table).to_bytes(4, "little")
     write_whole(path, [begin + _checksum([begin, *body]).to_bytes(4, "little"), *body])
     _shrink(path.parent)

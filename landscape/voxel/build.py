@@ -69,7 +69,7 @@ MOST_CELLS = 1 << 22  # blocks, chosen: as many are meshed at once
 # Measured on two processors: 0.39 s instead of 0.46, and 6.0 s instead of 8.8 for 2,000 x 2,000
 # columns.
 THREADS = 2
-MOST_VERTICES = 22 << 20  # chosen: with the largest map they take 1.5 GB
+MOST_VERTICES = 18 << 20  # chosen: the largest map of the shipped image has 17 millions
 FAR_SHADE = 0.93  # measured: how dark the corners are on average
 # Chosen: light on faces that look up, down and to the sides, without sun, and what the sun adds.
 SKYLIGHT = {"up": 0.64, "down": 0.42}
@@ -79,7 +79,7 @@ BLUE_SKY = np.array([0.94, 0.98, 1.06])
 WARMER = 0.35  # chosen: how far the light of the sky has the colour of the sun's
 
 
-class TooManyVertices(InputError):
+class TooManyVertices(Exception):
     """The meshes of a world take more memory than they may."""
 
 
@@ -240,11 +240,7 @@ def by_level(found: Iterable[tuple[M, ...]], most: int) -> list[M]:
         regions.append(region)
         count += sum(mesh.size for mesh in region)
         if count > most:
-            raise TooManyVertices(
-                "the land of blocks has more than {most} vertices, which do not fit in memory: "
-                "expected a smoother voxel.height_image, fewer levels or fewer changed blocks",
-                most=most,
-            )
+            raise TooManyVertices
     return [mesh for level in zip(*regions, strict=True) for mesh in level]
 
 
@@ -253,8 +249,22 @@ def all_meshes(place: World, colours: Look, values: Voxel) -> Meshes:
     if place.side <= MOST_KEPT:
         with contextlib.suppress(TooManyVertices):
             return by_level(meshes(place, colours, values, unchanged), LARGE)
+    return packed_meshes(place, colours, values)
+
+
+def packed_meshes(place: World, colours: Look, values: Voxel) -> Meshes:
+    """Return the meshes of all regions, as :func:`by_level`, packed; InputError for too many."""
     give_back()
-    return by_level(meshes(place, colours, values, packed), MOST_VERTICES)
+    try:
+        small = by_level(meshes(place, colours, values, packed), MOST_VERTICES)
+    except TooManyVertices:
+        raise InputError(
+            "the land of blocks has more than {most} vertices, which do not fit in memory: "
+            "expected a smoother voxel.height_image, fewer voxel.levels or fewer changed blocks",
+            most=MOST_VERTICES,
+        ) from None
+    give_back()
+    return small
 
 
 def meshed(
@@ -338,7 +348,4 @@ def _built_packed(
 ) -> tuple[World, Look, Meshes]:
     """Return what :func:`built` does, with packed meshes, of which the cache keeps nothing."""
     place = world(settings.voxel, assets, seed)
-    give_back()
-    small = by_level(meshes(place, colours, settings.voxel, packed), MOST_VERTICES)
-    give_back()
-    return place, colours, small
+    return place, colours, packed_meshes(place, colours, settings.voxel)

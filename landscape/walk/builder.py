@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Hashable
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 
-from framelens.base.errors import InputError
-from framelens.base.output import check_writable, write_whole
+from framelens.base.errors import InputError, reason
+from framelens.base.output import check_writable, next_free, write_whole
 from framelens.base.texts import translator
+from framelens.system import locked
 from landscape.geometry.digging import Diggable, read_world
 from landscape.walk import words
 from landscape.walk.recording import Tick
@@ -22,17 +23,28 @@ SWITCHES = (*SLOTS, "next_slot", "previous_slot")
 
 
 class WorldFile:
-    """The file that keeps what a walker changes; it is written whole or not at all."""
+    """The file that keeps what a walker changes; it is written whole or not at all.
+
+    Other walks may have the same file: what they save in the meantime is kept.
+    """
 
     def __init__(self, path: Path, keep: bool = True) -> None:
         """Read the file if there is one; InputError. Only with ``keep`` is it written later."""
         self._path, self._keep = path, keep
-        self._scene: Diggable | None = None
-        self._data: bytes | None = None
+        self._saved = b""  # the scene as it was when it was opened, or saved last
         if keep:
             check_writable(path, "world ")
-        if path.exists() or not keep:
-            self._data = read_world(path)
+        self._content = self._read()
+        if self._content is None and not keep:
+            self._content = read_world(path)
+
+    @property
+    def _name(self) -> str:
+        return f"world {self._path}"
+
+    def _read(self) -> bytes | None:
+        """Return the content of the file; None if there is none."""
+        return read_world(self._path) if self._path.exists() else None
 
     def opened(self, scene: Any) -> None:
         """Change a scene that has been opened as the file says; InputError."""
@@ -40,18 +52,56 @@ class WorldFile:
             raise InputError(
                 "world {path}: expected a scene of blocks, such as voxel", path=self._path
             )
-        if self._data is not None:
-            scene.restore(self._data, f"world {self._path}")
-        self._data = scene.saved()
+        if self._content is not None:
+            scene.restore(self._content, self._name)
+        self._saved = scene.saved()
 
     def save(self, scene: Diggable) -> bool:
-        """Write the file if there is anything new; InputError if that is impossible."""
-        data = scene.saved() if self._keep else self._data
-        if data is None or data == self._data:
+        """Write the file if there is anything new; InputError if that is impossible.
+
+        If another walk has changed the same blocks, this one is saved in a file of another name,
+        which the InputError tells.
+        """
+        if not self._keep:
             return False
-        write_whole(self._path, data)
-        self._data = data
+        data = scene.saved()
+        if data == self._saved:
+            return False
+        try:
+            with locked(self._path):
+                self._write(scene, data)
+        except TimeoutError:
+            raise InputError("{name}: is being saved by another walk", name=self._name) from None
+        except OSError as error:  # its folder is gone
+            raise InputError(
+                "{name}: cannot be written ({reason})", name=self._name, reason=reason(error)
+            ) from None
         return True
+
+    def _write(self, scene: Diggable, data: bytes) -> None:
+        """Write the scene's ``data``, with what other walks have saved in the meantime."""
+        content, theirs = data, None
+        try:
+            theirs = self._read()
+            if theirs is not None and theirs != self._content:
+                content = scene.merged(self._saved, theirs, self._name)
+        except InputError as error:
+            self._keep_beside(data, error)
+        write_whole(self._path, content)
+        self._content, self._saved = content, data
+
+    def _keep_beside(self, data: bytes, error: InputError) -> NoReturn:
+        """Save the scene in a new file, to which the walk keeps from now on; InputError."""
+        other = next_free(self._path.stem, self._path.suffix, self._path.parent)
+        write_whole(other, data)
+        former = self._path
+        self._path, self._content, self._saved = other, data, data
+        raise InputError(
+            "{error}; {former} stays as it is, and this walk is saved in {other}",
+            error=error,
+            former=former,
+            other=other,
+        ) from None
 
 
 class Builder:
@@ -121,7 +171,7 @@ class Builder:
         try:
             done = self._file and self._scene and self._file.save(self._scene)
         except InputError as error:
-            return str(error)
+            return error.said(self._language)
         return words.text(self._language, "world.saved") if done else ""
 
     def leave(self) -> None:
