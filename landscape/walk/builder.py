@@ -8,7 +8,7 @@ import numpy as np
 
 from framelens.base.errors import InputError, reason
 from framelens.base.output import check_writable, next_free, write_whole
-from framelens.base.texts import translator
+from framelens.base.texts import said, translator
 from framelens.system import locked
 from landscape.geometry.digging import Diggable, read_world
 from landscape.walk import words
@@ -171,7 +171,7 @@ class Builder:
         try:
             done = self._file and self._scene and self._file.save(self._scene)
         except InputError as error:
-            return error.said(self._language)
+            return said(error, self._language)
         return words.text(self._language, "world.saved") if done else ""
 
     def leave(self) -> None:
