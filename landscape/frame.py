@@ -36,8 +36,11 @@ class Pose:
         )
 
 
-def checked_pose(value: object) -> Pose:
-    """Return a pose from x, y, z and perhaps yaw and pitch; a y of "ground" becomes None."""
+def checked_pose(value: object, given: str = "") -> Pose:
+    """Return a pose from x, y, z and perhaps yaw and pitch; a y of "ground" becomes None.
+
+    InputError names the value as ``given``, as the command line does.
+    """
     numbers = value
     if isinstance(value, Pose):
         numbers = (value.x, value.y, value.z, value.yaw, value.pitch, value.roll)
@@ -54,7 +57,7 @@ def checked_pose(value: object) -> Pose:
 
     raise InputError(
         "{value}: expected the numbers x, y, z, yaw and pitch; y may be `ground`",
-        value=f"pose {short(value)}",
+        value=given or f"pose {short(value)}",
     )
 
 

@@ -285,6 +285,7 @@ def test_a_region_and_a_land_that_do_not_fit_in_memory_are_refused(
     with pytest.raises(InputError, match=r"voxel\.region_size=1000: expected at most 614"):
         source(with_settings(SCENE.settings, region).voxel, Assets())
 
+    monkeypatch.setenv("LANDSCAPE_CACHE", "")
     small = {"voxel.regions": 2, "voxel.region_size": 16}
     monkeypatch.setattr(build, "LARGE", 1000)
     monkeypatch.setattr(build, "MOST_VERTICES", 2000)

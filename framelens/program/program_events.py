@@ -23,8 +23,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from framelens.base.errors import InputError, reason, short
+from framelens.base.errors import InputError, short
+from framelens.base.input import read_bounded
 
+MOST_BYTES = 4 << 20  # chosen
 KINDS = ("key", "button", "move", "scroll", "resize", "close")
 BUTTONS = ("left", "right", "middle")
 MODS = ("shift", "control", "alt")
@@ -144,11 +146,7 @@ def read_events(source: Any) -> list[Event]:
 
 def _entries(path: Path) -> list[Any]:
     try:
-        text = path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise InputError(
-            "{path}: cannot be read ({reason})", path=path, reason=reason(error)
-        ) from None
+        text = read_bounded(path, MOST_BYTES).decode()
     except UnicodeDecodeError:
         raise InputError("{path}: is not text; expected events as JSON", path=path) from None
 

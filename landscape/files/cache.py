@@ -13,6 +13,7 @@ import functools
 import hashlib
 import inspect
 import json
+import math
 import os
 import stat
 import zlib
@@ -163,10 +164,10 @@ def _read(path: Path) -> Arrays | None:
     try:
         arrays, at = [], length
         for kind, shape in json.loads(body[:length].tobytes()):
-            size = np.dtype(kind).itemsize * int(np.prod(shape))
+            size = np.dtype(kind).itemsize * math.prod(shape)
             arrays.append(body[at : at + size].view(kind).reshape(shape))
             at += size + -size % ALIGNED
-    except (ValueError, TypeError):
+    except (ValueError, TypeError, OverflowError, RecursionError):
         return None
 
     return tuple(arrays)

@@ -100,7 +100,7 @@ def curves_in(path: Path) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
         found = json.loads(read_bounded(path, MOST_BYTES))
         subpaths = tuple(np.array(each, np.float64).reshape(-1, 4, 2) for each in found["path"])
         targets = np.array(found["targets"], np.float64).reshape(-1, 2)
-    except (KeyError, TypeError, ValueError):
+    except (KeyError, TypeError, ValueError, OverflowError, RecursionError):
         raise InputError(expected) from None
     curves = [each for each in subpaths if len(each)]
     if not curves or not all(np.isfinite(each).all() for each in (*curves, targets)):

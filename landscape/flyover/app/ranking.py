@@ -23,14 +23,14 @@ def read(path: Path) -> dict[str, Any]:
     expected = f"{path}: expected a result of `landscape flyover --bench --json`"
     try:
         found = json.loads(read_bounded(path, MOST_BYTES))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError("{expected} ({error})", expected=expected, error=error) from None
     try:
         row = found["rows"][ROW]
         numbers = [*map(float, (row["fps"], row["ms"], found["frames"], *found["size"]))]
         texts = [found["environment"], found["hash"], found["version"]]
         texts += [found[MACHINE][name] for name in ("processor", "python", "numpy")]
-    except (KeyError, TypeError, ValueError):
+    except (KeyError, TypeError, ValueError, OverflowError, RecursionError):
         raise InputError(expected) from None
     if len(numbers) != 5 or not all(isinstance(text, str) for text in texts):
         raise InputError(expected)
