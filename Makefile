@@ -4,7 +4,7 @@
 # make docs    build the site of the course in build/site; make docs-check looks at it in Chromium
 # make test-drivers  draw views with OpenGL as other drivers have it: fewer units and extensions
 # make peer    build a fly-over in C, and time it beside ours over one environment
-# make fuzz    try a thousand damaged and random inputs (a quarter of an hour)
+# make fuzz    try damaged and random inputs for ten minutes
 # make test-windows  try the commands and the tests on Windows, by Wine
 # They install what they need on the first run.
 

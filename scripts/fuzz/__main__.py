@@ -1,8 +1,13 @@
 """Try damaged, hostile and random inputs: none may end in anything but a result or a clear error.
 
-    make fuzz                                   # a thousand inputs, about a quarter of an hour
+    make fuzz                             # ten minutes: half for readers, half for commands
     python scripts/fuzz --seed 7 --count 200 --only mesh,image
-    python scripts/fuzz --seed 7 --input mesh-31        # one of them again
+    python scripts/fuzz --seed 7 --minutes 2 --only svg,world
+    python scripts/fuzz --seed 7 --input mesh-31    # one of them again
+
+The readers of files (readers.py) read what Hypothesis makes for each format; hunt.py, which looks
+for findings and makes them small, says what one is. Before that they read what was once found
+(corpus/). The rest is about commands.
 
 Each input is made from the seed, its kind and its number (inputs.py), so it can be made again. It
 runs in a process that runs many (worker.py), in a folder of its own. It is a finding if it
@@ -19,6 +24,7 @@ it again. The exit status is 1 if there are findings.
 
 import argparse
 import contextlib
+import itertools
 import json
 import os
 import random
@@ -31,9 +37,10 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from queue import SimpleQueue
+from threading import Lock
 
 HERE = Path(__file__).resolve().parent
 REPOSITORY = HERE.parents[1]
@@ -42,6 +49,7 @@ sys.path[:0] = [str(HERE), str(REPOSITORY)]
 # Found by the path above.
 import inputs  # noqa: E402
 from case import IMPORTS, Case, write_shared  # noqa: E402
+from readers import READERS  # noqa: E402
 
 SECONDS = 20.0  # processor time of one input
 PATIENCE = 240.0  # seconds an input may take on a busy machine
@@ -126,19 +134,20 @@ class Worker:
 
 
 def run_all(
-    cases: list[Case], root: Path, jobs: int
+    cases: Iterator[Case], root: Path, jobs: int
 ) -> tuple[dict[str, list[str]], Counter[int | None]]:
     """Run the inputs in ``jobs`` processes; return findings by input, and how many ended how."""
-    waiting: SimpleQueue[Case] = SimpleQueue()
-    for case in cases:
-        waiting.put(case)
     found: dict[str, list[str]] = {}
     ended: Counter[int | None] = Counter()
+    one_at_a_time = Lock()
 
     def work() -> None:
         worker = Worker(root)
-        while not waiting.empty():
-            case = waiting.get()
+        while True:
+            with one_at_a_time:
+                case = next(cases, None)
+            if case is None:
+                break
             folder = root / case.name
             case.prepare(folder)
             if worker.spent:
@@ -152,13 +161,26 @@ def run_all(
                 case.prepare(folder)
                 report(case, folder, wrong)
             elif ended.total() % 100 == 0:
-                print(f"{ended.total()} of {len(cases)}", flush=True)
+                print(f"{ended.total()} inputs of commands", flush=True)
         worker.close()
 
     with ThreadPoolExecutor(jobs) as pool:
         for future in [pool.submit(work) for _ in range(jobs)]:
             future.result()
     return found, ended
+
+
+def hunt(names: list[str], seed: int, minutes: float, root: Path, jobs: int) -> list[str]:
+    """Let each reader read files for its part of the time; return those with a finding."""
+    seconds = 60 * minutes * jobs / max(len(names), 1)
+
+    def status(name: str) -> int:
+        command = [sys.executable, "-W", "ignore", str(HERE / "hunt.py"), name]
+        command += ["--seed", str(seed), "--seconds", str(seconds), "--folder", str(root)]
+        return subprocess.run(command, env=os.environ | {"LANDSCAPE_CACHE": ""}).returncode
+
+    with ThreadPoolExecutor(jobs) as pool:
+        return [name for name, code in zip(names, pool.map(status, names), strict=True) if code]
 
 
 def remove(folder: Path) -> None:
@@ -184,40 +206,62 @@ def main() -> int:
     """Make the inputs, run them, and print the findings and a summary; return the exit status."""
     parser = argparse.ArgumentParser(prog="fuzz", description=__doc__.splitlines()[0])
     parser.add_argument("--seed", type=int, default=random.randrange(10**6), help="default: random")
-    parser.add_argument("--count", type=int, default=1000, metavar="N", help="default: 1000")
-    parser.add_argument("--only", metavar="KIND,...", help=", ".join(inputs.KINDS))
+    parser.add_argument("--minutes", type=float, default=10.0, metavar="N", help="default: 10")
+    parser.add_argument("--count", type=int, metavar="N", help="so many inputs of commands instead")
+    kinds_and_readers = [*READERS, *inputs.KINDS]
+    parser.add_argument("--only", metavar="KIND,...", help=", ".join(kinds_and_readers))
     parser.add_argument("--input", metavar="KIND-N", help="run only this input of the seed")
     parser.add_argument("--jobs", type=int, default=min(os.cpu_count() or 1, 4), metavar="N")
     parser.add_argument("--folder", type=Path, help="where findings are kept; default: temporary")
     options = parser.parse_args()
 
-    kinds = options.only.split(",") if options.only else list(inputs.KINDS)
-    names = [f"{kinds[k % len(kinds)]}-{k // len(kinds)}" for k in range(options.count)]
+    asked = options.only.split(",") if options.only else kinds_and_readers
+    for name in asked:
+        if name not in kinds_and_readers:
+            parser.error(f"{name}: expected some of {', '.join(kinds_and_readers)}")
+    kinds, readers = ([name for name in asked if name in of] for of in (inputs.KINDS, READERS))
     if options.input:
-        names = [options.input]
-    for name in names:
-        if name.rpartition("-")[0] not in inputs.KINDS or not name.rpartition("-")[2].isdigit():
-            parser.error(f"{name}: expected one of {', '.join(inputs.KINDS)}")
+        kind, _, number = options.input.rpartition("-")
+        if kind not in inputs.KINDS or not number.isdigit():
+            parser.error(f"{options.input}: expected one of {', '.join(inputs.KINDS)}")
+        kinds = [kind]
     root = (options.folder or Path(tempfile.mkdtemp(prefix="landscape-fuzz-"))).resolve()
     (root / "cache").mkdir(parents=True, exist_ok=True)
     write_shared(root)
 
-    print(f"seed {options.seed}, {len(names)} inputs, in {root}", flush=True)
+    print(f"seed {options.seed}, in {root}", flush=True)
     begun = time.monotonic()
-    cases = [inputs.make(name, options.seed) for name in names]
-    found, ended = run_all(cases, root, max(1, min(options.jobs, len(cases))))
+    wrong: list[str] = []
+    part = options.minutes / (2 if kinds and readers else 1)
+    if readers and not (options.input or options.count):
+        wrong = hunt(readers, options.seed, part, root, options.jobs)
+    end = time.monotonic() + 60 * part
+
+    def names() -> Iterator[str]:
+        """Yield the names of inputs of all kinds in turn, for as many or as long as is asked."""
+        if options.input:
+            yield options.input
+            return
+        for number in itertools.count() if kinds else ():
+            if number == options.count or (options.count is None and time.monotonic() > end):
+                return
+            yield f"{kinds[number % len(kinds)]}-{number // len(kinds)}"
+
+    cases = (inputs.make(name, options.seed) for name in names())
+    found, ended = run_all(cases, root, options.jobs)
     minutes = (time.monotonic() - begun) / 60
     each = Counter(name.rpartition("-")[0] for name in found)
     listed = ", ".join(f"{kind} {count}" for kind, count in sorted(each.items()))
     print(
-        f"{len(cases)} inputs in {minutes:.1f} minutes, {len(found)} findings: {listed or 'none'}"
+        f"{ended.total()} inputs of commands, {minutes:.1f} minutes in all, {len(found)} findings: "
+        f"{listed or 'none'}; readers with a finding: {', '.join(wrong) or 'none'}"
     )
     print("exit status", ", ".join(f"{status}: {ended[status]}" for status in (0, 1, 2, 3)))
     if found:
         print(f"Again: python scripts/fuzz --seed {options.seed} --input {next(iter(found))}")
-    elif options.folder is None:
+    elif options.folder is None and not wrong:
         shutil.rmtree(root)
-    return 1 if found else 0
+    return 1 if found or wrong else 0
 
 
 if __name__ == "__main__":
