@@ -58,6 +58,12 @@ class Offscreen:
     :meth:`close`; opening raises NoOpenGLError where no backend works.
     """
 
+    # Until __init__ is called, which that of a class derived from this may forget.
+    _owned: OwnedContext | None = None
+    _target: Target | None = None
+    _place: Scene | None = None
+    scene: OpenScene | None = None
+
     def __init__(
         self,
         size: tuple[int, int] = SIZE,
@@ -72,9 +78,6 @@ class Offscreen:
         place: str = "",
         world: str | os.PathLike[str] | None = None,
     ) -> None:
-        self._owned: OwnedContext | None = None
-        self._target: Target | None = None
-        self.scene: OpenScene | None = None
         self.notices: list[str] = []
         self._built_for: Any = None
         self.size = arguments.size(size)
@@ -84,6 +87,10 @@ class Offscreen:
         check_options(preset, self._given, self._only)
         self._place = scene(arguments.choice(place, "place", ("", *SCENES)))
         self._seed = arguments.whole(seed, "seed")
+        if edits is not None and not isinstance(edits, Edits):
+            raise InputError(
+                "edits {value}: expected an Edits of framelens.tape.edits", value=short(edits)
+            )
         self._edits = edits
         self._world = None if world is None else arguments.folder(world, "world")
         self._changed = b"" if self._world is None else read_world(self._world)
@@ -165,7 +172,7 @@ class Offscreen:
         """Send the frame's calls to OpenGL, without reading the picture back."""
         moment = self.moment if kt is None else replace(self.moment, kt=arguments.number(kt, "kt"))
         with self._current():
-            opened = self.scene or self._open(self._place, View("pose", "", moment.pose))
+            opened = self.scene or self._open(self._place or scene(), View("pose", "", moment.pose))
             opened.draw(moment)
 
     @contextmanager

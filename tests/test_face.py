@@ -66,7 +66,9 @@ REFUSED: dict[str, list[Any]] = {
     "samples": [None, -4, 1, 2, 8, HUGE, True, False, 4.0, NAN, "4", "", [4], (0, 4), Hostile()],
     "seed": [None, -1, 1.0, 0.5, NAN, INF, True, False, "7", "", 10**18, HUGE, [7], Hostile()],
     "only": ["moat", "", "ground,,water", 5, 0, True, NAN, ("ground", "moat"), [None], [1, 2]]
-    + [(("ground",),), b"ground", Hostile(), np.array([1, 2])],
+    + [(("ground",),), b"ground", Hostile(), np.array([1, 2]), np.array(5), np.array(None)],
+    "edits": [5, "", [], {}, [5], np.zeros(3), b"edits", True, Hostile()],
+    "world": [5, True, b"/tmp", "a\0b", Hostile()],
     "assets": ["/nowhere", __file__, 5, True, NAN, b"/tmp", ["/tmp"], "a\0b", "\ud800", Hostile()],
     "settings": ["fog.density=1", 5, True, [("fog.density", 1)], ["fog.density"], {5: 1}, {None: 1}]
     + [{"fog": {5: 1}}, {("fog", "density"): 1}, Hostile()],
@@ -83,6 +85,18 @@ def test_a_wrong_argument_is_refused_by_its_name(argument: str, value: Any) -> N
         landscape.Offscreen(**{**QUICK, argument: value})
     text = line(caught.value)
     assert text.startswith(argument) and "expected" in text, text
+
+
+def test_a_class_that_forgets_to_open_its_context_is_told() -> None:
+    class Forgetful(landscape.Offscreen):
+        def __init__(self) -> None:
+            pass
+
+    view = Forgetful()
+    for use in (view.draw, lambda: view.look("fig35a"), lambda: view.renderer):
+        with pytest.raises(landscape.InputError, match="is closed"):
+            use()
+    view.close()
 
 
 def test_an_argument_that_does_not_exist_is_python_s_own_error() -> None:

@@ -121,6 +121,12 @@ def test_the_course_has_every_lesson_in_order_and_a_view_after_each_of_the_lands
         assert after[topic] and after[topic].kind == "view", topic
 
 
+def test_the_list_begins_where_the_lecture_would(shell: Shell) -> None:
+    whole = shell("lecture", "--list").out.splitlines()
+    assert shell("lecture", "--list", "--from", "3").out.splitlines() == whole[2:]
+    refused(shell("lecture", "--list", "--from", "nosuch"), "--from 'nosuch'")
+
+
 def test_the_course_is_whole_in_french(shell: Shell) -> None:
     english, french = (shell("lecture", "--list", "--lang", lang) for lang in ("en", "fr"))
     pairs = list(zip(english.out.splitlines(), french.out.splitlines(), strict=True))

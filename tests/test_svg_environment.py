@@ -220,6 +220,14 @@ WRONG = {
         svg(image(), layer(layer(path(LINE), more=HUGE), more=HUGE)),
         "expected finite coordinates",
     ),
+    "transform that there is not": (
+        svg(image(), layer(path(), more='transform="evil(1)"')),
+        "expected a transform, not 'evil(1)'",
+    ),
+    "transform to nowhere": (
+        svg(image(more='transform="translate(nan)"'), layer(path())),
+        "expected a transform, not 'translate(nan)'",
+    ),
     "transform": (
         svg(image(), layer(path(), more='transform="matrix(1 2 3)"')),
         "expected a transform, not 'matrix(1 2 3)'",

@@ -92,6 +92,7 @@ def flag(value: Any, name: str) -> bool:
 
 def names(value: Any, name: str) -> tuple[str, ...]:
     """Return names given as a text with commas, or as a collection of strings."""
+    value = plain(value)
     if isinstance(value, str):
         return tuple(each.strip() for each in value.split(","))
     found = tuple(value) if isinstance(value, Iterable) else (value,)
@@ -104,9 +105,10 @@ def names(value: Any, name: str) -> tuple[str, ...]:
 
 def folder(value: Any, name: str) -> Path:
     """Return a path given as text or as a path; whether it is a folder is not checked."""
-    if not isinstance(value, (str, os.PathLike)) or not isinstance(os.fspath(value), str):
+    text = os.fspath(value) if isinstance(value, (str, os.PathLike)) else None
+    if not isinstance(text, str) or "\0" in text:  # no system has a file of such a name
         raise InputError("{name} {value}: expected a folder", name=name, value=short(value))
-    return Path(value)
+    return Path(text)
 
 
 def _whole(value: Any) -> int | None:

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType, FrameType
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -150,6 +150,7 @@ Brief = tuple[int, str, CodeType, int, tuple[Any, ...]]
 that calls, and the arguments."""
 
 
+@runtime_checkable
 class Edits(Protocol):
     """What changes calls as they are made (see framelens/tape/edits.py)."""
 

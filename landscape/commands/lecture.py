@@ -52,11 +52,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
     lecture = read(_file(options.file)) if options.file else course()
+    begin = _begin(lecture, options.begin)
     if options.list:
-        for number, title, name in texts.listed(lecture):
+        for number, title, name in texts.listed(lecture)[begin:]:
             print(f"{number}  {name:18} {title}")
         return 0
-    begin = _begin(lecture, options.begin)
     if sys.platform == "linux":
         kind, reason = display.choose(os.environ)
         if not kind:

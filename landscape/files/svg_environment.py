@@ -39,6 +39,13 @@ MOST_TARGETS = 1_000  # chosen
 FARTHEST = 1e9  # pixels, chosen: products of coordinates must not overflow
 MOST_TEXT = 1 << 19  # chosen: characters of paths and transforms, which take seconds to read
 MOST_CLOSED = 1_000  # chosen: svgelements takes a time that grows with their square
+# No quantifier gives back what it has taken: a long text that is wrong would take for ever.
+NUMBER = r"[+-]?+(?:\d++\.?+\d*+|\.\d++)(?:e[+-]?+\d++)?+[a-z%]*+"
+TRANSFORM = re.compile(
+    r"(?:\s*+,?+\s*+(?:matrix|(?:translate|scale|skew)[xy]?|rotate)\s*+"
+    rf"\((?:\s*+,?+\s*+{NUMBER})*+\s*+\))*+\s*+",
+    re.IGNORECASE,
+)
 PATH_DATA = re.compile(r"[\s,MmZzLlHhVvCcSsQqTtAaEe0-9.+-]*")
 
 
@@ -267,8 +274,12 @@ def _transform(text: str) -> np.ndarray:
     if not text:
         return np.eye(3)
     try:
+        if not TRANSFORM.fullmatch(text):  # svgelements leaves out what it does not know
+            raise ValueError
         m = Matrix(text)
         matrix = np.array([[m.a, m.c, m.e], [m.b, m.d, m.f], [0, 0, 1]], np.float64)
+        if not np.isfinite(matrix).all():
+            raise ValueError
     except (ArithmeticError, IndexError, TypeError, ValueError):
         raise InputError("expected a transform, not {text}", text=short(text)) from None
     return matrix
