@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from operator import attrgetter
-from typing import Any, TypeAlias
+from typing import TypeAlias, TypedDict, Unpack
 
 import numpy as np
 from PIL import Image
@@ -27,6 +27,7 @@ from landscape.scene.scene import (
     Moment,
     OpenScene,
     Scene,
+    SceneSettings,
     View,
     check_options,
     find_view,
@@ -38,7 +39,8 @@ from landscape.settings import declare
 
 SIZE = (800, 600)  # chosen
 # A view's name, or x, y, z and perhaps yaw and pitch; y may be "ground" or None.
-Place: TypeAlias = str | Pose | tuple[Any, ...] | list[Any] | np.ndarray
+Place: TypeAlias = str | Pose | tuple[object, ...] | list[object] | np.ndarray
+Built = tuple[str, tuple[str, ...], SceneSettings]  # a scene's name, elements and settings
 
 
 class Offscreen:
@@ -68,7 +70,7 @@ class Offscreen:
         self,
         size: tuple[int, int] = SIZE,
         preset: str | None = None,
-        settings: Mapping[str, Any] | None = None,
+        settings: Mapping[str, object] | None = None,
         backend: str = "auto",
         samples: int = 4,
         assets: str | os.PathLike[str] | None = None,
@@ -79,10 +81,10 @@ class Offscreen:
         world: str | os.PathLike[str] | None = None,
     ) -> None:
         self.notices: list[str] = []
-        self._built_for: Any = None
+        self._built_for: Built | None = None
         self.size = arguments.size(size)
         self._preset = preset
-        self._given = {} if settings is None else declare.flattened(settings)
+        self._given: Mapping[str, object] = {} if settings is None else declare.flattened(settings)
         self._only = None if only is None else arguments.names(only, "only")
         check_options(preset, self._given, self._only)
         self._place = scene(arguments.choice(place, "place", ("", *SCENES)))
@@ -139,7 +141,9 @@ class Offscreen:
         assert self.scene is not None
         return self.scene
 
-    def _build(self, kind: Scene, shown: tuple[str, ...], values: Any, view: View) -> None:
+    def _build(
+        self, kind: Scene, shown: tuple[str, ...], values: SceneSettings, view: View
+    ) -> None:
         """Open a scene in place of the one that is open."""
         if self.scene is not None:
             self.scene.release()
@@ -154,7 +158,7 @@ class Offscreen:
         if self._world is not None and isinstance(self.scene, Diggable):
             self.scene.restore(self._changed, f"world {self._world}")
 
-    def _applied(self, kind: Scene, shown: tuple[str, ...], values: Any) -> bool:
+    def _applied(self, kind: Scene, shown: tuple[str, ...], values: SceneSettings) -> bool:
         """Apply settings to the open scene; return False if it must be opened again for them."""
         # Edits find a call by its number among all those that build the scene.
         if self.scene is None or self._built_for is None or self._edits is not None:
@@ -252,12 +256,12 @@ class Offscreen:
         self.close()
 
 
-def baked_alike(kind: Scene, one: Any, other: Any) -> bool:
+def baked_alike(kind: Scene, one: object, other: object) -> bool:
     """Return whether settings of a scene agree in all that is baked into it when it is opened."""
     return all(attrgetter(name)(one) == attrgetter(name)(other) for name in kind.baked)
 
 
-def found(view: Any, place: Scene | None = None) -> tuple[Scene, View]:
+def found(view: object, place: Scene | None = None) -> tuple[Scene, View]:
     """Return a named view and its scene, or a pose as a view of a scene, by default the first.
 
     InputError if it is neither.
@@ -271,12 +275,27 @@ def found(view: Any, place: Scene | None = None) -> tuple[Scene, View]:
     )
 
 
+class Options(TypedDict, total=False):
+    """The options of Offscreen, but for its size."""
+
+    preset: str | None
+    settings: Mapping[str, object] | None
+    backend: str
+    samples: int
+    assets: str | os.PathLike[str] | None
+    only: str | Iterable[str] | None
+    seed: int
+    edits: Edits | None
+    place: str
+    world: str | os.PathLike[str] | None
+
+
 def render(
     view: Place,
     size: tuple[int, int] = SIZE,
     kt: float | None = None,
     wireframe: bool = False,
-    **options: Any,
+    **options: Unpack[Options],
 ) -> Image.Image:
     """Draw one view, by name or pose, and return it as a PIL image; options as of Offscreen.
 

@@ -18,7 +18,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.island.island import ELEMENTS, Island
 from landscape.scene.scene import Moment
-from landscape.settings.declare import Field, fields, get, with_settings
+from landscape.settings.declare import Setting, fields, get, with_settings
 
 FEW: dict[str, Any] = {
     "grass.count": 20_000,
@@ -48,13 +48,13 @@ FILES = {
 }
 
 
-def another(key: str, item: Field, value: Any) -> Any:
+def another(key: str, item: Setting, value: Any) -> Any:
     """Return a value for a key other than ``value``, within its limits."""
-    low, high = item.metadata["low"], item.metadata["high"]
+    low, high = item.low, item.high
     if isinstance(value, bool):
         return not value
-    if item.metadata["choices"]:
-        return next(choice for choice in item.metadata["choices"] if choice != value)
+    if item.choices:
+        return next(choice for choice in item.choices if choice != value)
     if isinstance(value, str):
         return FILES[key] if FILES[key] != value else "height.png"
     if isinstance(value, tuple):

@@ -33,7 +33,7 @@ from landscape.settings import declare
 EVERY_KEY = [
     key
     for key, _does in dict.fromkeys(
-        (key, item.metadata["does"])
+        (key, item.does)
         for name in SCENES
         for key, item in declare.fields(type(scene(name).settings)).items()
     )

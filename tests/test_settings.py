@@ -31,18 +31,18 @@ def test_every_default_is_within_its_own_limits_and_survives_being_written(key: 
 
 @each("key", KEYS)
 def test_every_key_says_what_it_does_its_unit_and_its_source(key: str) -> None:
-    meta = KEYS[key].metadata
-    assert len(meta["does"].split()) > 1 and declare.unit(KEYS[key])
-    assert meta["does"] != declare.unit(KEYS[key])
+    item = KEYS[key]
+    assert len(item.does.split()) > 1 and declare.unit(item)
+    assert item.does != declare.unit(item)
     # A place in the report, one of its wishes (R1 to R19), a neighbour of it, or "chosen".
     known = r"(section|figure) \d+(\.\d+)*|introduction|R\d+|glskel effects|chosen"
-    assert re.fullmatch(rf"({known})(, ({known}))*", meta["source"])
-    assert declare.expected(KEYS[key])
+    assert re.fullmatch(rf"({known})(, ({known}))*", item.source)
+    assert declare.expected(item)
 
 
 @each("key", NUMBERS)
 def test_every_number_is_accepted_at_its_limits_and_refused_beyond(key: str) -> None:
-    low, high = KEYS[key].metadata["low"], KEYS[key].metadata["high"]
+    low, high = KEYS[key].limits
     assert [changed(key, low), changed(key, high)] == [low, high] and low < high
     beyond: list[object] = [low - 1, high + 1, 10**400, float("nan"), float("inf")]
     for wrong in [*beyond, True, None, "", []]:
@@ -138,10 +138,8 @@ def test_the_error_message_says_what_is_expected() -> None:
         assert str(caught.value) == f"setting {key}: expected {message}"
 
 
-def test_the_table_lists_every_key_with_value_and_default() -> None:
-    rows = {row["key"]: row for row in declare.table(preset("best"))}
-    assert rows.keys() == KEYS.keys()
-    row = rows["fog.density"]
+def test_a_row_of_the_list_has_the_value_and_the_default() -> None:
+    row = declare.row(preset("best"), "fog.density")
     assert row["default"] == 0.12 and row["value"] == settings.BEST["fog.density"]
     assert row["unit"] == "per unit" and row["source"] == "section 10.2"
     assert (row["low"], row["high"], row["choices"]) == (0, 1000, ())
@@ -157,5 +155,5 @@ SECTIONS = {
 
 @each("key", KEYS)
 def test_a_setting_names_a_section_that_the_document_has(key: str) -> None:
-    for cited in re.findall(r"section ([\d.]+)", KEYS[key].metadata["source"]):
+    for cited in re.findall(r"section ([\d.]+)", KEYS[key].source):
         assert any(each == cited or each.startswith(cited + ".") for each in SECTIONS), key

@@ -41,7 +41,7 @@ def test_every_setting_but_the_names_of_files_has_a_row_or_one_per_component() -
         if isinstance(item.default, tuple):
             assert names == [f"{key}.{part}" for part in range(len(item.default))]
         else:
-            file = isinstance(item.default, str) and not item.metadata["choices"]
+            file = isinstance(item.default, str) and not item.choices
             assert names == ([] if file else [key])
     assert [ROWS[f"fog.color.{part}"].label for part in range(3)] == [
         "color R",
@@ -68,7 +68,7 @@ def test_every_value_can_be_stepped_to_its_limits_and_stays_valid(name: str) -> 
             assert type(after_step) is type(start)
             declare.with_settings(BEST, {row.key: row.changed(BEST, after_step)})
             if not isinstance(start, bool | str):
-                limit = row.item.metadata["high" if way > 0 else "low"]
+                limit = row.item.limits[1 if way > 0 else 0]
                 assert (after_step - value) * way > 0 or after_step == limit == value
             value = after_step
 

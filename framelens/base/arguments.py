@@ -12,7 +12,7 @@ import os
 from collections.abc import Iterable
 from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import SupportsIndex, TypeVar
 
 from framelens.base.errors import InputError, short
 
@@ -21,21 +21,25 @@ SAMPLES = (0, 4)
 MAX_SIDE = 16384  # the largest viewport side of llvmpipe; a context may allow less
 MAX_PIXELS = 1 << 26  # chosen: they take 1.3 GB while a picture is drawn and written
 FARTHEST = 1e9  # chosen: float32 has no fractions long before
+Choice = TypeVar("Choice", str, int)
 
 
-def plain(value: Any) -> Any:
+def plain(value: object) -> object:
     """Return numpy's numbers and arrays as Python's numbers and lists; anything else unchanged."""
     return value.tolist() if hasattr(value, "tolist") else value
 
 
-def size(value: Any, given: str = "") -> tuple[int, int]:
+def size(value: object, given: str = "") -> tuple[int, int]:
     """Return a width and a height in pixels, each from 1 to MAX_SIDE, MAX_PIXELS in all."""
     sides = plain(value)
-    if not isinstance(sides, (list, tuple)) or len(sides) != 2 or None in map(_whole, sides):
+    numbers = [_whole(side) for side in sides] if isinstance(sides, (list, tuple)) else []
+    pixels = [number for number in numbers if number is not None]
+    if len(numbers) != 2 or len(pixels) != 2:
         raise InputError(
             "size {value}: expected a width and a height in pixels", value=short(value)
         )
-    width, height = map(operator.index, map(plain, sides))
+
+    width, height = pixels
     if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE):
         given = given or f"size {short(width)}x{short(height)}"
         raise InputError(
@@ -51,7 +55,7 @@ def size(value: Any, given: str = "") -> tuple[int, int]:
     return width, height
 
 
-def whole(value: Any, name: str, given: str = "") -> int:
+def whole(value: object, name: str, given: str = "") -> int:
     """Return a whole number from 0 to 10**18 - 1."""
     number = _whole(value)
     if number is None or not 0 <= number < 10**18:
@@ -61,7 +65,7 @@ def whole(value: Any, name: str, given: str = "") -> int:
     return number
 
 
-def number(value: Any, name: str, given: str = "") -> float:
+def number(value: object, name: str, given: str = "") -> float:
     """Return a finite number below FARTHEST, positive or negative."""
     found = finite(value)
     if found is None:
@@ -69,20 +73,21 @@ def number(value: Any, name: str, given: str = "") -> float:
     return found
 
 
-def choice(value: Any, name: str, choices: tuple[Any, ...], given: str = "") -> Any:
+def choice(value: object, name: str, choices: tuple[Choice, ...], given: str = "") -> Choice:
     """Return the one of ``choices``, all strings or all whole numbers, that ``value`` equals."""
-    found = value if isinstance(choices[0], str) else _whole(value)
-    if not isinstance(found, type(choices[0])) or found not in choices:
-        listed = ", ".join(map(str, choices))
-        raise InputError(
-            "{value}: expected one of {listed}",
-            value=given or f"{name} {short(value)}",
-            listed=listed,
-        )
-    return found
+    wanted = value if isinstance(choices[0], str) else _whole(value)
+    for each in choices:
+        if isinstance(wanted, type(each)) and wanted == each:
+            return each
+
+    raise InputError(
+        "{value}: expected one of {listed}",
+        value=given or f"{name} {short(value)}",
+        listed=", ".join(map(str, choices)),
+    )
 
 
-def flag(value: Any, name: str) -> bool:
+def flag(value: object, name: str) -> bool:
     """Return True or False, which must be given as such."""
     found = plain(value)
     if not isinstance(found, bool):
@@ -90,20 +95,21 @@ def flag(value: Any, name: str) -> bool:
     return found
 
 
-def names(value: Any, name: str) -> tuple[str, ...]:
+def names(value: object, name: str) -> tuple[str, ...]:
     """Return names given as a text with commas, or as a collection of strings."""
     value = plain(value)
     if isinstance(value, str):
         return tuple(each.strip() for each in value.split(","))
-    found = tuple(value) if isinstance(value, Iterable) else (value,)
-    if not all(isinstance(each, str) for each in found):
+    parts = tuple(value) if isinstance(value, Iterable) else (value,)
+    texts = tuple(part for part in parts if isinstance(part, str))
+    if len(texts) < len(parts):
         raise InputError(
             "{name} {value}: expected names, such as ground,water", name=name, value=short(value)
         )
-    return found
+    return texts
 
 
-def folder(value: Any, name: str) -> Path:
+def folder(value: object, name: str) -> Path:
     """Return a path given as text or as a path; whether it is a folder is not checked."""
     text = os.fspath(value) if isinstance(value, (str, os.PathLike)) else None
     if not isinstance(text, str) or "\0" in text:  # no system has a file of such a name
@@ -111,18 +117,15 @@ def folder(value: Any, name: str) -> Path:
     return Path(text)
 
 
-def _whole(value: Any) -> int | None:
+def _whole(value: object) -> int | None:
     """Return a whole number as an int; None for anything else."""
     value = plain(value)
-    if isinstance(value, bool):
+    if isinstance(value, bool) or not isinstance(value, SupportsIndex):
         return None
-    try:
-        return operator.index(value)
-    except TypeError:
-        return None
+    return operator.index(value)
 
 
-def finite(value: Any) -> float | None:
+def finite(value: object) -> float | None:
     """Return a finite number below FARTHEST as a float; None for anything else."""
     value = plain(value)
     if isinstance(value, bool) or not isinstance(value, Real):

@@ -91,11 +91,10 @@ def _rows_of(
     own = {key: v for key, v in current.items() if key in declare.fields(type(kind.settings))}
     values = kind.values(preset if preset in kind.presets else None, own)
     presets = {name: kind.values(name) for name in kind.presets}
-    for row in declare.table(values):
-        key = row["key"]
+    for key in declare.fields(type(values)):
         needs = [in_words(type(values), each) for each in conditions(type(values), key, kind.slots)]
         yield {
-            **row,
+            **declare.row(values, key),
             "presets": {name: declare.get(each, key) for name, each in presets.items()},
             "needs": [words for words in needs if words],
             "ignored": ignored(values, key, (*kind.elements, WALK), kind.elements, kind.slots),
@@ -121,7 +120,7 @@ def as_text(found: Sequence[Row]) -> Iterator[str]:
             yield from ([""] if group else [])
             group = f"{row['scene']}.{name}"
             if row["key"] not in declare.words(kind):
-                about = kind.__dataclass_fields__[name].default.__doc__ or ""
+                about = getattr(_named(row["scene"]).settings, name).__doc__ or ""
                 where = f" of {row['scene']}" if len(scenes[name]) > 1 else ""
                 yield from textwrap.wrap(f"{name}{where}: {about.splitlines()[0]}", WIDTH)
         yield from _lines(row, kind)
@@ -141,7 +140,7 @@ def _lines(row: Row, kind: type) -> Iterator[str]:
 
     # What is shown is plain from the group's name.
     slots = _named(row["scene"]).slots
-    needs = declare.fields(kind)[row["key"]].metadata["needs"]
+    needs = declare.fields(kind)[row["key"]].needs
     needs += unreplaced(kind, row["key"], slots)
     told = [in_words(kind, each) for each in needs if any(t.is_setting for t in terms(each))]
     if any(told):

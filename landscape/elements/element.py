@@ -5,10 +5,10 @@ one of several classes fills, the finest first: each says itself whether the set
 :class:`Elements` builds them, draws them, passes settings on to them, and releases them.
 """
 
-from collections.abc import Callable, Collection, Hashable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Generic, Self, TypeVar, cast
+from typing import ClassVar, Generic, Self, TypeVar, cast
 
 from framelens.gl.seam import begin_pass, drawing
 from landscape.files.assets import Assets
@@ -72,7 +72,7 @@ class Element(Generic[Values]):
 
 
 @dataclass(frozen=True)
-class Slot:
+class Slot(Generic[Values]):
     """The place of an element in a scene.
 
     ``kinds`` are the classes that may fill it, the finest first; the first that serves is built, if
@@ -83,20 +83,20 @@ class Slot:
     """
 
     name: str
-    kinds: tuple[type[Element[Any]], ...]
+    kinds: tuple[type[Element[Values]], ...]
     shown_by: tuple[str, ...] = ()
     built_for: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
     always: bool = False
     base: bool = False
-    build: Callable[[Site[Any]], Element[Any]] | None = None
+    build: Callable[[Site[Values]], Element[Values]] | None = None
 
     @property
     def names(self) -> tuple[str, ...]:
         """The names of the elements that show it."""
         return self.shown_by or (self.name,)
 
-    def kind(self, settings: object) -> type[Element[Any]] | None:
+    def kind(self, settings: Values) -> type[Element[Values]] | None:
         """Return the class that draws what the settings ask for; None if nothing is to be drawn."""
         return next((kind for kind in self.kinds if kind.serves(settings)), None)
 
@@ -115,9 +115,9 @@ class Elements(Generic[Values]):
         """Build nothing yet; ``only`` names the elements that may be shown."""
         self.shown = set(only)
         self._site = Site(settings, assets, seed, frozenset(only), self)
-        self._slots: dict[str, Slot] = {}
+        self._slots: dict[str, Slot[Values]] = {}
         self._elements: dict[str, Element[Values] | None] = {}
-        self._by_kind: dict[type, Any] = {}
+        self._by_kind: dict[type, object] = {}
 
     @contextmanager
     def building(self) -> Iterator[None]:
@@ -129,18 +129,18 @@ class Elements(Generic[Values]):
             self.release()
             raise
 
-    def build(self, *slots: Slot) -> None:
+    def build(self, *slots: Slot[Values]) -> None:
         """Fill slots, in this order."""
         for slot in slots:
             self._slots[slot.name] = slot
             self._elements[slot.name] = self._filled(slot, self._site)
             self._by_kind.clear()
 
-    def _kind(self, slot: Slot, settings: Values) -> type[Element[Values]] | None:
+    def _kind(self, slot: Slot[Values], settings: Values) -> type[Element[Values]] | None:
         """Return the class that is to fill a slot, None if it is to stay empty."""
         return slot.kind(settings) if slot.may_show(self._site.only) else None
 
-    def _filled(self, slot: Slot, site: Site[Values]) -> Element[Values] | None:
+    def _filled(self, slot: Slot[Values], site: Site[Values]) -> Element[Values] | None:
         """Build what is to fill a slot, if anything is."""
         kind = self._kind(slot, site.settings)
         if kind is None:
@@ -148,7 +148,7 @@ class Elements(Generic[Values]):
         with drawing(*(slot.built_for or slot.names)):
             return slot.build(site) if slot.build else kind.build(site)
 
-    def _stays(self, slot: Slot, settings: Values) -> bool:
+    def _stays(self, slot: Slot[Values], settings: Values) -> bool:
         """Return whether what fills a slot, or its emptiness, also serves other settings."""
         element = self._elements[slot.name]
         kind = self._kind(slot, settings)
@@ -197,8 +197,8 @@ class Elements(Generic[Values]):
         if kind not in self._by_kind:
             every = (each for each in self._elements.values() if isinstance(each, kind))
             self._by_kind[kind] = next(every, None)
-        element: Kind | None = self._by_kind[kind]
-        return element
+        element = self._by_kind[kind]
+        return element if isinstance(element, kind) else None
 
     def __getitem__(self, kind: type[Kind]) -> Kind:
         """Return the first element of a class; LookupError if none was built."""
@@ -223,7 +223,7 @@ class Elements(Generic[Values]):
         _release(reversed(list(self._elements.values())))
 
 
-def _release(elements: "Collection[Element[Any] | None] | Iterator[Element[Any] | None]") -> None:
+def _release(elements: Iterable[Element[Values] | None]) -> None:
     for element in elements:
         if element is not None:
             element.release()

@@ -4,14 +4,12 @@ What each needs is in framelens/gl/features.py. Here the settings are changed ac
 all other code only asks the settings.
 """
 
-from typing import Any
-
 from landscape.elements.settings import Settings
 from landscape.gl.features import possible
-from landscape.settings.declare import get, with_settings
+from landscape.settings.declare import Value, get, with_settings
 
 # Settings that ask for something, and the value that does not.
-OFF: dict[str, Any] = {
+OFF: dict[str, Value] = {
     "castle.ornate": False,
     "water.foam": False,
     "water.glitter": 0.0,

@@ -11,6 +11,7 @@ joined by SLERP, and blurred in time, for a camera that turns as smoothly as it 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import SupportsFloat
 
 import numpy as np
 
@@ -35,7 +36,7 @@ TICKS = 120  # chosen: points in time per second
 NEAR = 0.06  # chosen: units, a little more than to the near plane's corners
 HIGH = 4.0  # chosen: units; what is higher is not flown over
 
-Heights = Callable[[float, float], float]
+Heights = Callable[[float, float], SupportsFloat]
 
 
 def centripetal(places: np.ndarray) -> list[np.ndarray]:

@@ -5,9 +5,9 @@ turn; its name is shown in the help and when it changes.
 """
 
 import math
-from typing import Any
 
 from landscape.hall import plan
+from landscape.hall.settings import Settings
 from landscape.settings.declare import Toggle, Value
 
 KEYS: dict[str, Toggle] = {
@@ -30,7 +30,7 @@ LOW = 0.16
 HIGH = 0.56
 
 
-def carried(settings: Any, right: float, down: float) -> dict[str, Value]:
+def carried(settings: Settings, right: float, down: float) -> dict[str, Value]:
     """Return the settings after a drag carried the torch's light, by pixels right and down.
 
     It goes around the statue, up and down. Its shadows then are those that darken, as the light map

@@ -33,7 +33,7 @@ from landscape.hall.statue import Statue
 from landscape.hall.tone import Tone
 from landscape.hall.torches import Torches
 from landscape.hall.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
-from landscape.scene.scene import Moment, Scene, View, begin_frame
+from landscape.scene.scene import Moment, SceneOf, View, begin_frame
 
 IN_STENCIL = "mirror, shadow, exhibits.solids, exhibits.volume, tone.area"
 NOTHING = -10.0  # units, chosen: so that a view may look at the hall from below
@@ -340,7 +340,7 @@ def with_nothing_held(view: View) -> View:
     return replace(view, shown=view.shown or STANDING)
 
 
-SCENE = Scene(
+SCENE = SceneOf(
     name="hall",
     elements=ELEMENTS,
     views={name: with_nothing_held(view) for name, view in VIEWS.items()},

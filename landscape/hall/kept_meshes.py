@@ -2,36 +2,37 @@
 
 import json
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
 
 import numpy as np
 
 from landscape.files.cache import recall
 from landscape.geometry.mesh import Mesh
 
+Key = tuple[str, ...]  # what a mesh is called by
+
 
 def kept_meshes(
-    parts: Iterable[bytes | str], make: Callable[[], Mapping[Any, Mesh]]
-) -> dict[Any, Mesh]:
+    parts: Iterable[bytes | str], make: Callable[[], Mapping[Key, Mesh]]
+) -> dict[Key, Mesh]:
     """Return the meshes that ``make`` returns, by key, from the cache if they were made before.
 
-    Keys are tuples of strings. The meshes must depend only on ``parts`` and on code, as what
+    The meshes must depend only on ``parts`` and on code, as what
     :func:`recall` returns must.
     """
     table, *arrays = recall(parts, lambda: _flat(make()))
     left = iter(arrays)
-    found: dict[Any, Mesh] = {}
+    meshes: dict[Key, Mesh] = {}
     for key, units, coloured in json.loads(table.tobytes()):
         vertices = next(left)
         normals = next(left)
         triangles = next(left)
         coordinates = tuple(next(left) for _ in range(units))
         colors = next(left) if coloured else None
-        found[tuple(key)] = Mesh(vertices, normals, triangles, coordinates, colors)
-    return found
+        meshes[tuple(key)] = Mesh(vertices, normals, triangles, coordinates, colors)
+    return meshes
 
 
-def _flat(meshes: Mapping[Any, Mesh]) -> tuple[np.ndarray, ...]:
+def _flat(meshes: Mapping[Key, Mesh]) -> tuple[np.ndarray, ...]:
     """Return a table of keys and numbers of arrays, as JSON in an array, and all the arrays."""
     table, arrays = [], []
     for key, mesh in meshes.items():

@@ -32,7 +32,7 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
 from landscape.hall.architecture import hall
-from landscape.hall.kept_meshes import kept_meshes
+from landscape.hall.kept_meshes import Key, kept_meshes
 from landscape.hall.levels import ALONG, LEVELS, bay_of, level_for, levels_of
 from landscape.hall.light import FILE, SCALE, SIZES, light_map, placed
 from landscape.hall.materials import MATERIALS
@@ -48,14 +48,13 @@ APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "
 
 BAKED_SUN = direction(Settings().sun).astype(float)
 BARE = (*FLOOR, *BASIN, "plinth")  # drawn on their own; the rest is drawn by bays
-# Sheet, material, number of the bay, "" for those drawn apart, and number of the level of detail.
-Key = tuple[str, str, str, str]
 
 
 def meshes() -> dict[Key, Mesh]:
-    """Return all triangles of the hall by sheet, material and bay, with coordinates for both units.
+    """Return all triangles of the hall by key, with coordinates for both units.
 
-    Only the sheet "hall" is divided into bays.
+    A key is the sheet, the material, the number of the bay ("" for those drawn apart), and that of
+    the level of detail. Only the sheet "hall" is divided into bays.
     """
     found: dict[Key, list[Mesh]] = {}
     for each in placed(hall()):
@@ -162,7 +161,7 @@ class Room(Element[Settings]):
         self._boxes = {False: boxes, True: below}
         self._tone(settings)
 
-    def _in_level(self, bay: Mapping[tuple[str, str, str], Mesh], level: int) -> list[Part]:
+    def _in_level(self, bay: Mapping[Key, Mesh], level: int) -> list[Part]:
         """Return the texture, the tint and the mesh of each material in a level of a bay."""
         return [
             (self.texture(material), self._tint(material), part)

@@ -7,12 +7,16 @@ from landscape.frame import Pose
 from landscape.hall.exhibits.safeguards import EXHIBITS
 from landscape.hall.safeguard import Safeguard, pair
 from landscape.hall.views import ONE_LAMP
+from landscape.settings.declare import Value
 
 BRONZE = {"environment": "none"}
 UPWARDS = Pose(1.6, 0.1, 1.6, 270.0, 55.0)
 LOW_SUN = {"azimuth": 4.0, "elevation": 7.0}  # degrees: beyond the north wall
 EVERYWHERE = {"caustics.sunlit": False}
-BEFORE_WALL = {"flame": (1.6, 0.22, 0.85), "method": "darken"}  # between the wall and the statue
+BEFORE_WALL: dict[str, Value] = {
+    "flame": (1.6, 0.22, 0.85),
+    "method": "darken",
+}  # between the wall and the statue
 
 SAFEGUARDS: tuple[Safeguard, ...] = (
     Safeguard(

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from landscape.frame import Pose
 from landscape.scene.scene import View
+from landscape.settings.declare import Value
 
 ELEMENTS = (
     *("room", "floor", "mirror", "door", "statue", "shadow", "sky", "caustics", "pool"),
@@ -13,7 +14,7 @@ HELD = ("sword",)  # only a walker has it: no view shows it
 STANDING = tuple(name for name in ELEMENTS if name not in HELD)
 
 # One light that can be moved, and a floor that only it shines on.
-ONE_LAMP = {
+ONE_LAMP: dict[str, Value] = {
     "shadow.flame": (1.33, 0.73, 0.6),
     "shadow.light": "torch",
     "shadow.casters": "all",

@@ -1,11 +1,10 @@
 """What goes beyond the report, as pairs of pictures, before and after."""
 
-from typing import Any
-
 from landscape.frame import Pose
 from landscape.island.fix import Fix
+from landscape.settings.declare import Value
 
-SEA_OF_BEST: dict[str, Any] = {
+SEA_OF_BEST: dict[str, Value] = {
     "water.fresnel": True,
     "reflection.rippled": True,
     "ground.resolution": 160,

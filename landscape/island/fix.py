@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from landscape.frame import Pose
 from landscape.island.views import OUTDOORS, VIEWS
 from landscape.scene.scene import View
+from landscape.settings.declare import Value
 
 GROUND = None  # as a pose's y: eye height above the ground
 
@@ -26,17 +26,17 @@ class Fix:
     title: str
     view: str | Pose
     kt: float
-    off: Mapping[str, Any]
-    on: Mapping[str, Any]
+    off: Mapping[str, Value]
+    on: Mapping[str, Value]
     flaw: str
     look: str
     how: str
     seen: tuple[str, str]
-    common: Mapping[str, Any] = field(default_factory=dict)
+    common: Mapping[str, Value] = field(default_factory=dict)
     only: tuple[str, ...] = OUTDOORS
     after_pose: Pose | None = None
 
-    def settings(self, after: bool) -> dict[str, Any]:
+    def settings(self, after: bool) -> dict[str, Value]:
         """Return the settings of one picture, on top of the preset 2006."""
         return {**self.common, **(self.on if after else self.off)}
 

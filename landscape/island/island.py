@@ -49,7 +49,7 @@ from landscape.geometry.pockets import passable
 from landscape.island.fixes import FIXES
 from landscape.island.slots import CASTING, OTHERS, PLANTED, SLOTS
 from landscape.island.views import ALL, MAIN, VIEWS
-from landscape.scene.scene import SEED, Moment, Scene, begin_frame
+from landscape.scene.scene import SEED, Moment, SceneOf, begin_frame
 
 Sort = Callable[[], tuple[np.ndarray, ...] | None]  # what sorts the sprites, once a frame
 ELEMENTS = ALL
@@ -357,7 +357,7 @@ def terrain(settings: Settings, assets: Assets) -> HeightField:
     return height_field(read_heights(path), settings.ground, settings.water.level)
 
 
-SCENE = Scene(
+SCENE = SceneOf(
     name="island",
     elements=ELEMENTS,
     views=VIEWS,

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from landscape.frame import Pose
 from landscape.scene.scene import View
+from landscape.settings.declare import Value
 
 ALL = (
     "ground",
@@ -64,13 +65,13 @@ GATE_BEFORE = walking(27.92, 18.6, 340.0, 9.0)
 BARE = ("ground", "sky", "castle", "water", "reflection", "fog", "grass")
 LONE_PLANT = {"plants.count": 3000}
 PLANT_BEFORE = Pose(19.933, 1.128, 25.415, 20.0, -16.0)
-LONE_BLADE = {"grass.count": 2000, "grass.scale": (4.0, 3.5)}
+LONE_BLADE: dict[str, Value] = {"grass.count": 2000, "grass.scale": (4.0, 3.5)}
 BLADE_BEFORE = Pose(19.948, 1.063, 26.011, 40.0, -9.0)
 LAWN_BEFORE = walking(21.25, 23.75, 340.0, -7.0)
 GROVE_AND_SKY = ("ground", "trees", "deer", "plants", "sky", "fog")
 AVENUE = {"transparent.places": "avenue.csv"}
 CROSSING = {"transparent.places": "crossing.csv", "transparent.faces": "place"}
-FACING = AVENUE | {"transparent.surround": "white", "camera.fov": 70.0}
+FACING: dict[str, Value] = {**AVENUE, "transparent.surround": "white", "camera.fov": 70.0}
 AVENUE_BEFORE = walking(21.3, 25.2, 338.0, -6.0)
 AVENUE_LEFT = walking(21.3, 25.2, 320.0, -6.0)
 AVENUE_RIGHT = walking(21.3, 25.2, 356.0, -6.0)

@@ -5,10 +5,11 @@ Each scene that has some derives a class of its own, which knows the scene's vie
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from landscape.frame import Pose
 from landscape.scene.scene import View
+from landscape.settings.declare import Value
 
 
 @dataclass(frozen=True)
@@ -28,14 +29,14 @@ class Safeguard:
     title: str
     view: str | Pose
     kt: float
-    off: Mapping[str, Any]
-    on: Mapping[str, Any]
+    off: Mapping[str, Value]
+    on: Mapping[str, Value]
     flaw: str
     look: str
     how: str
     seen: tuple[str, str]
 
-    def settings(self, after: bool) -> Mapping[str, Any]:
+    def settings(self, after: bool) -> Mapping[str, Value]:
         """Return the settings of one picture: without the safeguard, or with it."""
         return self.on if after else self.off
 
@@ -50,7 +51,7 @@ class Safeguard:
         )
 
 
-def pair(key: str, **beside: Any) -> dict[str, dict[str, Any]]:
+def pair(key: str, **beside: Mapping[str, Value]) -> dict[str, dict[str, Value]]:
     """Return the settings without and with a safeguard; groups of ``beside`` hold others."""
     others = {f"{group}.{k}": v for group, values in beside.items() for k, v in values.items()}
     return {"off": {**others, key: False}, "on": {**others, key: True}}

@@ -1,6 +1,6 @@
 """What a scene is, how its frames begin, and the one list of scenes.
 
-A scene is a module with a :class:`Scene` named ``SCENE``: the names of its elements, its views,
+A scene is a module with a :class:`SceneOf` named ``SCENE``: the names of its elements, its views,
 its settings and presets, and a function that opens it in the current OpenGL context. Walking,
 rendering, tracing and measuring work on any scene in :data:`SCENES`; a new scene is one line there.
 """
@@ -9,7 +9,15 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import import_module
-from typing import Any, Protocol, runtime_checkable
+from typing import (
+    Generic,
+    Protocol,
+    SupportsFloat,
+    TypeAlias,
+    TypedDict,
+    TypeVar,
+    runtime_checkable,
+)
 
 import numpy as np
 
@@ -17,7 +25,7 @@ from framelens.base.errors import InputError, short
 from framelens.gl.seam import frame_begins, gl
 from landscape.elements import fog, sun
 from landscape.elements.element import Slot
-from landscape.elements.settings import Camera, Fog, Sun
+from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
 from landscape.files.assets import Assets
 from landscape.frame import FULL, Detail, Frame, Pose, scaled
 from landscape.geometry.obstacle_grid import Obstacles
@@ -35,6 +43,25 @@ SCENES: dict[str, str] = {
     "hall": "landscape.hall.hall",
     "voxel": "landscape.voxel.voxel",
 }
+
+
+class SceneSettings(Protocol):
+    """The groups that the settings of every scene have."""
+
+    @property
+    def camera(self) -> Camera:
+        """How the camera sees."""
+
+    @property
+    def clock(self) -> Clock:
+        """How fast kt runs in a walk."""
+
+    @property
+    def walk(self) -> Walk:
+        """How the walker moves."""
+
+
+Values = TypeVar("Values", bound=SceneSettings)  # a scene's own settings
 
 
 @dataclass(frozen=True)
@@ -62,7 +89,7 @@ class Terrain(Protocol):
     def size(self) -> float:
         """The side of the square in units."""
 
-    def height(self, x: float, z: float) -> Any:
+    def height(self, x: float, z: float) -> SupportsFloat:
         """Return the height in units of what one stands on at x, z: ground or water."""
 
 
@@ -70,7 +97,7 @@ class Terrain(Protocol):
 class Watery(Protocol):
     """A terrain with water that one can wade and swim in; a scene's terrain need not be one."""
 
-    def depth(self, x: float, z: float) -> Any:
+    def depth(self, x: float, z: float) -> SupportsFloat:
         """Return the water's depth in units at x, z, 0 on land."""
 
 
@@ -94,11 +121,11 @@ class Fix(Protocol):
         """What it fixes, in a few words."""
 
     @property
-    def off(self) -> Mapping[str, Any]:
+    def off(self) -> Mapping[str, Value]:
         """The settings that show the flaw."""
 
     @property
-    def on(self) -> Mapping[str, Any]:
+    def on(self) -> Mapping[str, Value]:
         """The settings that fix it."""
 
     def as_view(self) -> "View":
@@ -108,10 +135,10 @@ class Fix(Protocol):
         """Where to look at the flaw from, or at the fix; its y may be None."""
 
 
-class OpenScene(Terrain, Protocol):
+class OpenSceneOf(Terrain, Protocol[Values]):
     """A scene whose elements are built, in the OpenGL context that was current then."""
 
-    settings: Any
+    settings: Values
     shown: set[str]  # names of elements to draw; may be changed between frames
 
     @property
@@ -121,7 +148,7 @@ class OpenScene(Terrain, Protocol):
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
 
-    def apply(self, settings: Any) -> bool:
+    def apply(self, settings: Values) -> bool:
         """Apply other settings without building anything; return False if that is impossible.
 
         Then nothing has changed, and the caller opens the scene again.
@@ -146,7 +173,7 @@ class View:
     kt: float = 0.0
     preset: str = ""
     shown: tuple[str, ...] = ()
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, Value] = field(default_factory=dict)
     stroke: int = 0
     wireframe: bool = False
 
@@ -157,8 +184,8 @@ class View:
 
 
 @dataclass(frozen=True)
-class Scene:
-    """What a scene brings; nothing of it needs OpenGL until it is opened.
+class SceneOf(Generic[Values]):
+    """What a scene with settings of a class brings; nothing of it needs OpenGL until it is opened.
 
     ``settings`` is an instance of the scene's settings class with the defaults (see
     :mod:`landscape.settings.declare`); it must have the groups ``camera``, ``clock`` and ``walk``.
@@ -176,31 +203,31 @@ class Scene:
     name: str
     elements: tuple[str, ...]
     views: Mapping[str, View]
-    settings: Any
+    settings: Values
     presets: Mapping[str, Mapping[str, Value]]
     preset: str
     start: str
     main: tuple[str, ...]
-    open: Callable[[Any, Assets, int, tuple[str, ...]], OpenScene]
-    terrain: Callable[[Any, Assets], Terrain]
+    open: Callable[[Values, Assets, int, tuple[str, ...]], OpenSceneOf[Values]]
+    terrain: Callable[[Values, Assets], Terrain]
     fixes: Sequence[Fix] = ()
     overlay: tuple[str, ...] = ()
     digits: Mapping[str, Toggle] = field(default_factory=dict)
     letters: Mapping[str, Toggle] = field(default_factory=dict)
-    carried: Callable[[Any, float, float], Mapping[str, Value]] | None = None
+    carried: Callable[[Values, float, float], Mapping[str, Value]] | None = None
     title: str = ""
     blocks: bool = False
     baked: tuple[str, ...] = ()
-    slots: tuple[Slot, ...] = ()
+    slots: tuple[Slot[Values], ...] = ()
 
-    def values(self, preset: str | None, *changes: Mapping[str, Any]) -> Any:
+    def values(self, preset: str | None, *changes: Mapping[str, object]) -> Values:
         """Return the settings of a preset (None: the default) with changes; later ones override.
 
         A word among them, such as the time of day, changes the preset before all other changes.
         """
         name = self.preset if preset is None else preset
         values = declare.preset(self.settings, self.presets, name)
-        merged: dict[str, Any] = {}
+        merged: dict[str, object] = {}
         for each in changes:
             merged |= declare.current_names(self.settings, each)[0]
         return declare.with_settings(values, merged)
@@ -234,7 +261,7 @@ class Scene:
         self,
         view: View,
         preset: str | None,
-        given: Mapping[str, Any],
+        given: Mapping[str, object],
         only: Iterable[str] | None = None,
         walking: bool = False,
     ) -> dict[str, str]:
@@ -264,6 +291,12 @@ class Scene:
         return tuple(name for name in allowed if not view.shown or name in view.shown)
 
 
+Scene: TypeAlias = SceneOf[SceneSettings]
+"""A scene of the list, as whoever draws any of them sees it."""
+
+OpenScene: TypeAlias = OpenSceneOf[SceneSettings]
+
+
 def scene(name: str = "") -> Scene:
     """Return a scene by name, the first of the list without one; InputError if there is none."""
     name = name or next(iter(SCENES))
@@ -276,7 +309,7 @@ def scene(name: str = "") -> Scene:
 
 
 def check_options(
-    preset: str | None, settings: Mapping[str, Any], only: Iterable[str] | None
+    preset: str | None, settings: Mapping[str, object], only: Iterable[str] | None
 ) -> None:
     """Check options given for views that are not known yet: some scene must accept all of them.
 
@@ -319,7 +352,7 @@ def find_view(name: str) -> tuple[Scene, View]:
 def without_effect(
     views: Iterable[tuple[Scene, View]],
     preset: str | None,
-    given: Mapping[str, Any],
+    given: Mapping[str, object],
     only: Iterable[str] | None = None,
     walking: bool = False,
 ) -> list[str]:
@@ -350,12 +383,24 @@ def raised(pose: Pose, terrain: Terrain, eye: float) -> Pose:
     return pose if pose.y is None or pose.y > ground else replace(pose, y=ground + eye)
 
 
-def listed_views() -> list[dict[str, Any]]:
+class ListedView(TypedDict):
+    """A view as `landscape views --json` prints it; ``pose`` is x, y, z, yaw and pitch."""
+
+    name: str
+    scene: str
+    figure: str
+    pose: list[float]
+    kt: float
+    preset: str
+    shows: str
+
+
+def listed_views() -> list[ListedView]:
     """Return every view of every scene as `landscape views --json` prints it, heights filled in.
 
     The views of a scene come first, then its fixes.
     """
-    entries = []
+    entries: list[ListedView] = []
     for found in map(scene, SCENES):
         terrains: dict[str, Terrain] = {}
         for view in (*found.views.values(), *(fix.as_view() for fix in found.fixes)):

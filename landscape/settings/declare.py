@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from numbers import Real
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from framelens.base.arguments import plain
 from framelens.base.errors import InputError, Message, short
@@ -21,9 +21,38 @@ from framelens.base.input import read_bounded
 
 MOST_TOML = 128 << 10  # bytes, chosen: all settings with a long comment each take a third of it
 LONGEST_LINE = 1000  # characters, chosen
+SWITCHES = {"true": True, "on": True, "1": True, "yes": True} | {
+    "false": False,
+    "off": False,
+    "0": False,
+    "no": False,
+}
+"""What users may write for a bool."""
 Value = bool | int | float | str | tuple[float, ...]
 Settings = TypeVar("Settings")
-Field = dataclasses.Field[Any]
+Default = TypeVar("Default", bound=Value)
+Tables = Mapping[str, Mapping[str, Value]]
+
+
+@dataclasses.dataclass(frozen=True)
+class Setting:
+    """How a setting is declared: see :func:`setting`, and for ``tables`` :func:`word`."""
+
+    default: Value
+    source: str
+    does: str
+    low: float | None = None
+    high: float | None = None
+    choices: tuple[str, ...] = ()
+    unit: str = ""
+    needs: tuple[str, ...] = ()
+    tables: Tables | None = None
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """The least and the greatest value of a number, or of each number of a tuple."""
+        assert self.low is not None and self.high is not None
+        return self.low, self.high
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,7 +67,7 @@ class Renamed:
 
 
 def setting(
-    default: Any,
+    default: Default,
     source: str,
     does: str,
     low: float | None = None,
@@ -46,32 +75,33 @@ def setting(
     choices: tuple[str, ...] = (),
     unit: str = "",
     needs: tuple[str, ...] = (),
-) -> Any:
+) -> Default:
     """Declare one setting: its default, the source of the default, what it does, and its limits.
 
     ``unit`` may be left out where the values have none. ``needs`` are the conditions under which
     the setting has an effect, see :mod:`landscape.settings.notices`.
     """
-    meta = {"source": source, "does": does, "low": low, "high": high, "choices": choices}
-    return field(default=default, metadata={**meta, "unit": unit, "needs": needs})
+    declared = Setting(default, source, does, low, high, choices, unit, needs)
+    return field(default=default, metadata={DECLARED: declared})
 
 
-def word(default: str, tables: Mapping[str, Mapping[str, Value]], source: str, does: str) -> Any:
+def word(default: str, tables: Tables, source: str, does: str) -> str:
     """Declare a word, whose key has no dot: each of its values stands for a table of settings."""
-    made = setting(default, source, does, choices=tuple(tables))
-    return field(default=default, metadata={**made.metadata, "tables": tables})
+    declared = Setting(default, source, does, choices=tuple(tables), tables=tables)
+    return field(default=default, metadata={DECLARED: declared})
 
 
-_FIELDS: dict[type, dict[str, Field]] = {}
+DECLARED = "setting"  # the key of a field's metadata
+_FIELDS: dict[type, dict[str, Setting]] = {}
 
 
-def fields(kind: type) -> dict[str, Field]:
-    """Return the words of a settings class by key, and then its fields by dotted key, in order."""
+def fields(kind: type) -> dict[str, Setting]:
+    """Return the settings of a class in order: its words by key, then the others by dotted key."""
     if kind not in _FIELDS:
         top = dataclasses.fields(kind)
-        words = {item.name: item for item in top if "tables" in item.metadata}
+        words = {item.name: item.metadata[DECLARED] for item in top if DECLARED in item.metadata}
         _FIELDS[kind] = words | {
-            f"{group.name}.{item.name}": item
+            f"{group.name}.{item.name}": item.metadata[DECLARED]
             for group in top
             if group.name not in words
             for item in dataclasses.fields(group.default)  # type: ignore[arg-type]
@@ -79,33 +109,29 @@ def fields(kind: type) -> dict[str, Field]:
     return _FIELDS[kind]
 
 
-def words(kind: type) -> dict[str, Mapping[str, Mapping[str, Value]]]:
+def words(kind: type) -> dict[str, Tables]:
     """Return the tables of a settings class's words, by the word's key and by its value."""
-    known = fields(kind).items()
-    return {key: item.metadata["tables"] for key, item in known if "tables" in item.metadata}
+    return {key: item.tables for key, item in fields(kind).items() if item.tables is not None}
 
 
-def get(settings: Any, key: str) -> Value:
+def get(settings: object, key: str) -> Value:
     """Return the value of a key."""
-    value: Any = settings
-    for name in key.split("."):
-        value = getattr(value, name)
-    found: Value = value
-    return found
+    group, _, name = key.rpartition(".")
+    value: Value = getattr(getattr(settings, group) if group else settings, name)
+    return value
 
 
-def differs(settings: Any, key: str) -> bool:
+def differs(settings: object, key: str) -> bool:
     """Return whether a key has another value than its default."""
     return get(settings, key) != fields(type(settings))[key].default
 
 
-def next_value(settings: Any, key: str) -> Value:
+def next_value(settings: object, key: str) -> Value:
     """Return the other value of a bool, or the next of a key's choices, all round."""
-    value, choices = get(settings, key), fields(type(settings))[key].metadata["choices"]
+    value, choices = get(settings, key), fields(type(settings))[key].choices
     if isinstance(value, bool):
         return not value
-    following: Value = choices[(choices.index(value) + 1) % len(choices)]
-    return following
+    return choices[(choices.index(value) + 1) % len(choices)]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -120,7 +146,7 @@ class Toggle:
     name: str
     values: tuple[Value, ...] = ()
 
-    def next(self, settings: Any) -> Value:
+    def next(self, settings: object) -> Value:
         """Return the setting's next value."""
         if not self.values:
             return next_value(settings, self.setting)
@@ -129,7 +155,7 @@ class Toggle:
         return self.values[place % len(self.values)]
 
 
-def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
+def with_settings(settings: Settings, changes: Mapping[str, object]) -> Settings:
     """Return settings with some keys changed.
 
     Values may be strings, as on the command line, or numpy's numbers and arrays; a file's name may
@@ -139,9 +165,10 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     """
     known = fields(type(settings))
     wanted = current_names(settings, changes)[0]
-    laid: dict[str, Any] = {}
-    for key in wanted.keys() & words(type(settings)).keys():
-        laid |= known[key].metadata["tables"][_checked(key, known[key], wanted[key])]
+    laid: dict[str, object] = {}
+    for key, tables in words(type(settings)).items():
+        if key in wanted:
+            laid |= tables[str(_checked(key, known[key], wanted[key]))]
     for key, value in (laid | wanted).items():
         if key not in known:
             raise InputError(
@@ -156,13 +183,13 @@ def with_settings(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     return settings
 
 
-def passing(settings: Settings, defaults: Settings, changes: Mapping[str, Any]) -> Settings:
+def passing(settings: Settings, defaults: Settings, changes: Mapping[str, object]) -> Settings:
     """Return settings with changes; a word among them takes back the table of the former one.
 
     ``defaults`` are the settings of the preset. What has the value that the former word gives it
     there gets the value of the new word; the user's values stay.
     """
-    given: dict[str, Any] = {}
+    passed: dict[str, object] = {}
     for key in changes.keys() & words(type(settings)).keys():
         tables = words(type(settings))[key].values()
         then, now = (
@@ -170,8 +197,8 @@ def passing(settings: Settings, defaults: Settings, changes: Mapping[str, Any]) 
         )
         for name in {name for table in tables for name in table}:
             own = get(settings, name)
-            given[name] = get(now, name) if own == get(then, name) else own
-    return with_settings(settings, given | dict(changes))
+            passed[name] = get(now, name) if own == get(then, name) else own
+    return with_settings(settings, passed | dict(changes))
 
 
 def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name: str) -> Settings:
@@ -183,7 +210,7 @@ def preset(defaults: Settings, presets: Mapping[str, Mapping[str, Value]], name:
     return with_settings(defaults, presets[name])
 
 
-def flattened(changes: Any) -> dict[str, Any]:
+def flattened(changes: object) -> dict[str, object]:
     """Return changes by dotted keys: ``{"fog": {"density": 1}}`` as ``{"fog.density": 1}``.
 
     InputError if they are no mapping, or a key is no string.
@@ -194,28 +221,36 @@ def flattened(changes: Any) -> dict[str, Any]:
             changes=short(changes),
         )
 
-    flat: dict[str, Any] = {}
+    flat: dict[str, object] = {}
     for key, value in changes.items():
-        group = value if isinstance(value, Mapping) else {}
-        for each in (key, *group):
-            if not isinstance(each, str):
-                raise InputError(
-                    "settings: key {name}: expected a string such as fog.density", name=short(each)
-                )
-        inner = {f"{key}.{name}": each for name, each in group.items()}
-        flat |= inner if isinstance(value, Mapping) else {key: value}
+        _check_names(key, *(value if isinstance(value, Mapping) else ()))
+        if isinstance(value, Mapping):
+            flat |= {f"{key}.{name}": inner for name, inner in value.items()}
+        else:
+            flat[key] = value
 
     return flat
 
 
-def current_names(settings: Any, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
+def _check_names(*names: object) -> None:
+    """Raise InputError if a name of a group or a key is no string."""
+    for name in names:
+        if not isinstance(name, str):
+            raise InputError(
+                "settings: key {name}: expected a string such as fog.density", name=short(name)
+            )
+
+
+def current_names(
+    settings: object, changes: Mapping[str, object]
+) -> tuple[dict[str, object], list[str]]:
     """Return changes under current names, and a one-line notice for each key under an old name.
 
     The class attribute ``RENAMED`` of a settings class, if it has one, maps old keys to
     :class:`Renamed`.
     """
     renamed: Mapping[str, Renamed] = getattr(settings, "RENAMED", {})
-    current: dict[str, Any] = {}
+    current: dict[str, object] = {}
     notices = []
     for key, value in changes.items():
         new = renamed.get(key)
@@ -229,10 +264,10 @@ def current_names(settings: Any, changes: Mapping[str, Any]) -> tuple[dict[str, 
     return current, notices
 
 
-def _negated(value: Any) -> Any:
+def _negated(value: object) -> object:
     """Return a number, or a string of one, with its sign changed; anything else unchanged."""
     number = plain(value)
-    if isinstance(number, bool):
+    if isinstance(number, bool) or not isinstance(number, str | Real):
         return value
     try:
         return -float(number)
@@ -240,7 +275,7 @@ def _negated(value: Any) -> Any:
         return value
 
 
-def read_toml(path: Path) -> dict[str, Any]:
+def read_toml(path: Path) -> dict[str, object]:
     """Read a TOML file of settings into a flat table of dotted keys."""
     data = read_bounded(path, MOST_TOML)
     try:
@@ -255,7 +290,7 @@ def read_toml(path: Path) -> dict[str, Any]:
             "{path}: expected a TOML file of settings ({error})", path=path, error=error
         ) from error
 
-    flat: dict[str, Any] = {}
+    flat: dict[str, object] = {}
     for group, table in tables.items():
         if isinstance(table, str):
             flat[group] = table
@@ -269,9 +304,9 @@ def read_toml(path: Path) -> dict[str, Any]:
     return flat
 
 
-def _checked(key: str, item: Field, given: Any) -> Value:
-    """Convert a value that was given to the type of the key's default, and check its limits."""
-    meta, default = item.metadata, item.default
+def _checked(key: str, item: Setting, given: object) -> Value:
+    """Convert a user's value to the type of the key's default, and check its limits."""
+    default = item.default
     wrong = InputError(
         "setting {key}: expected {expected}, not {value}",
         key=key,
@@ -280,19 +315,16 @@ def _checked(key: str, item: Field, given: Any) -> Value:
     )
     value = plain(given)
     if isinstance(default, bool):
-        if isinstance(value, str):
-            words = {"true": True, "on": True, "1": True, "yes": True}
-            words |= {"false": False, "off": False, "0": False, "no": False}
-            value = words.get(value.lower())
-        if not isinstance(value, bool):
+        switch = SWITCHES.get(value.lower()) if isinstance(value, str) else value
+        if not isinstance(switch, bool):
             raise wrong
-        return value
+        return switch
 
     if isinstance(default, str):
         text = os.fspath(value) if isinstance(value, os.PathLike) else value
-        if not isinstance(text, str) or (meta["choices"] and text not in meta["choices"]):
+        if not isinstance(text, str) or (item.choices and text not in item.choices):
             raise wrong
-        if not meta["choices"] and not _names_a_file(text):
+        if not item.choices and not _names_a_file(text):
             raise wrong
         return text
 
@@ -300,9 +332,9 @@ def _checked(key: str, item: Field, given: Any) -> Value:
         parts = value.split(",") if isinstance(value, str) else value
         if not isinstance(parts, (list, tuple)) or len(parts) != len(default):
             raise wrong
-        return tuple(_number(part, meta, wrong, float) for part in parts)
+        return tuple(_number(part, item, wrong, float) for part in parts)
 
-    return _number(value, meta, wrong, type(default))
+    return _number(value, item, wrong, type(default))
 
 
 def _names_a_file(text: str) -> bool:
@@ -313,9 +345,12 @@ def _names_a_file(text: str) -> bool:
         return False
 
 
-def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) -> Any:
+def _number(
+    value: object, item: Setting, wrong: InputError, kind: type[int] | type[float]
+) -> int | float:
+    """Return a user's value as a number of a kind; raise ``wrong`` if it is none, or too large."""
     value = plain(value)
-    if isinstance(value, bool) or not isinstance(value, (str, Real)):
+    if isinstance(value, bool) or not isinstance(value, (str, int, float)):
         raise wrong
     try:
         number = kind(value.replace("_", "") if isinstance(value, str) else value)
@@ -324,21 +359,22 @@ def _number(value: Any, meta: Mapping[str, Any], wrong: InputError, kind: type) 
     if kind is int and not isinstance(value, str) and number != value:
         raise wrong
     # Comparing is safe where converting is not: an int may be larger than any float.
-    if not meta["low"] <= number <= meta["high"]:
+    low, high = item.limits
+    if not low <= number <= high:
         raise wrong
     return number
 
 
-def expected(item: Field) -> Message:
+def expected(item: Setting) -> Message:
     """Say in words what values a setting takes."""
-    meta, default = item.metadata, item.default
+    default = item.default
     if isinstance(default, bool):
         return Message("true or false")
-    if meta["choices"]:
-        return Message("one of {choices}", choices=", ".join(meta["choices"]))
+    if item.choices:
+        return Message("one of {choices}", choices=", ".join(item.choices))
     if isinstance(default, str):
         return Message("a file name")
-    limits = {"low": meta["low"], "high": meta["high"]}
+    limits = {"low": item.low, "high": item.high}
     if isinstance(default, tuple):
         return Message(
             "{count} numbers from {low} to {high}, separated by commas",
@@ -350,28 +386,29 @@ def expected(item: Field) -> Message:
     return Message("a number from {low} to {high}", **limits)
 
 
-def unit(item: Field) -> str:
+def unit(item: Setting) -> str:
     """Return the unit of a setting's values, or what kind of value it takes."""
-    default = item.default
-    if item.metadata["unit"]:
-        return str(item.metadata["unit"])
-    if isinstance(default, bool):
+    if item.unit:
+        return item.unit
+    if isinstance(item.default, bool):
         return "on or off"
-    return ("name" if item.metadata["choices"] else "file") if isinstance(default, str) else ""
+    if isinstance(item.default, str):
+        return "name" if item.choices else "file"
+    return ""
 
 
-def table(settings: Any) -> list[dict[str, Any]]:
-    """Return every key with its value, default, unit, source, what it does and what it accepts."""
-    return [
-        {
-            "key": key,
-            "value": get(settings, key),
-            "default": item.default,
-            "unit": unit(item),
-            "source": item.metadata["source"],
-            "does": item.metadata["does"],
-            "expected": str(expected(item)),
-            **{name: item.metadata[name] for name in ("low", "high", "choices")},
-        }
-        for key, item in fields(type(settings)).items()
-    ]
+def row(settings: object, key: str) -> dict[str, object]:
+    """Return a key with its value and how it is declared, for JSON."""
+    item = fields(type(settings))[key]
+    return {
+        "key": key,
+        "value": get(settings, key),
+        "default": item.default,
+        "unit": unit(item),
+        "source": item.source,
+        "does": item.does,
+        "expected": str(expected(item)),
+        "low": item.low,
+        "high": item.high,
+        "choices": item.choices,
+    }

@@ -15,7 +15,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, ClassVar, Protocol
+from typing import ClassVar, Protocol
 
 from landscape.settings.declare import current_names, fields, get
 
@@ -51,13 +51,13 @@ class Term:
         """Whether this is about a setting; otherwise it is about an element or the walk."""
         return "." in self.name
 
-    def known(self, settings: Any, elements: Collection[str]) -> bool:
+    def known(self, settings: object, elements: Collection[str]) -> bool:
         """Return whether a scene of these settings and elements has what this is about."""
         if self.is_setting:
             return self.name in fields(type(settings))
         return self.name in (*elements, WALK)
 
-    def holds(self, settings: Any, shown: Collection[str]) -> bool:
+    def holds(self, settings: object, shown: Collection[str]) -> bool:
         """Return whether the alternative is true of these settings and words."""
         if not self.is_setting:
             return (self.name in shown) != self.negated
@@ -89,7 +89,7 @@ def conditions(kind: type, key: str, slots: Iterable[Slot] = ()) -> tuple[str, .
     for the one that they are about.
     """
     group = type(kind.__dataclass_fields__[key.split(".")[0]].default)  # type: ignore[attr-defined]
-    every = (*getattr(group, "NEEDS", ()), *fields(kind)[key].metadata["needs"])
+    every = (*getattr(group, "NEEDS", ()), *fields(kind)[key].needs)
     every += unreplaced(kind, key, slots)
     return tuple(each for each in every if all(term.name != key for term in terms(each)))
 
@@ -132,7 +132,7 @@ def in_words(kind: type, condition: str) -> str:
 
 
 def ignored(
-    settings: Any,
+    settings: object,
     key: str,
     shown: Collection[str],
     elements: Collection[str],
@@ -154,7 +154,7 @@ def ignored(
 
 
 def notices(
-    settings: Any,
+    settings: object,
     given: Iterable[str],
     shown: Collection[str],
     elements: Collection[str],
@@ -170,7 +170,7 @@ def notices(
     return lines
 
 
-def _reasons(settings: Any, failed: Iterable[Term]) -> Iterator[str]:
+def _reasons(settings: object, failed: Iterable[Term]) -> Iterator[str]:
     """Yield what each of these alternatives, which do not hold, finds instead."""
     failed = list(dict.fromkeys(failed))
     hidden = [term.name for term in failed if not term.is_setting and not term.negated]
@@ -187,7 +187,7 @@ def _listed(parts: Iterable[str]) -> str:
     return f"{', '.join(first)} and {last}" if first else last
 
 
-def value_text(value: Any) -> str:
+def value_text(value: object) -> str:
     """Return a setting's value as people write it."""
     if isinstance(value, bool):
         return "on" if value else "off"

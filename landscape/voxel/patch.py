@@ -7,7 +7,7 @@ are put in one by one. The test compares the result with the mesh of the whole r
 """
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -57,11 +57,16 @@ def touched(
     """
     position = mesh.vertices["position"]
     one, other = position[0::4], position[2::4]  # corners that face each other
-    near: Any = slice(None)
-    for axis, column in enumerate(X_Z_Y):  # each axis leaves far fewer quads for the next
-        a, b = one[near, column], other[near, column]
-        close = (np.minimum(a, b) < high[axis] + 0.5) & (np.maximum(a, b) > low[axis] - 0.5)
-        near = np.flatnonzero(close) if axis == 0 else near[close]
+
+    def overlaps(axis: int, which: np.ndarray | slice) -> np.ndarray:
+        a, b = one[which, X_Z_Y[axis]], other[which, X_Z_Y[axis]]
+        return np.asarray(
+            (np.minimum(a, b) < high[axis] + 0.5) & (np.maximum(a, b) > low[axis] - 0.5)
+        )
+
+    near = np.flatnonzero(overlaps(0, slice(None)))
+    for axis in (1, 2):  # each axis leaves far fewer quads for the next
+        near = near[overlaps(axis, near)]
 
     ends = one[near][:, X_Z_Y], other[near][:, X_Z_Y]
     least, most = np.minimum(*ends), np.maximum(*ends)

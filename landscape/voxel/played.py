@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Hashable
-from typing import Any
 
 import numpy as np
 
@@ -159,10 +158,10 @@ class Played:
         shows = self._icons, tuple(self.slots), self.slot, height, language
         return shows, lambda: bar_image(*shows)
 
-    def _made_from(self) -> dict[str, Any]:
+    def _made_from(self) -> dict[str, object]:
         """Return all that the land without changes depends on."""
         values = self.settings.voxel
-        made: dict[str, Any] = {name: getattr(values, name) for name in MADE_FROM}
+        made: dict[str, object] = {name: getattr(values, name) for name in MADE_FROM}
         made["seed"] = self._seed
         made["size"] = list(self.land.world.blocks.shape)
         made["height_image"] = content(self._assets.path(values.height_image)).hex()

@@ -19,7 +19,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
-from landscape.scene.scene import SEED, Moment, Scene, View, begin_frame
+from landscape.scene.scene import SEED, Moment, SceneOf, View, begin_frame
 from landscape.settings.declare import Toggle
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
@@ -453,7 +453,7 @@ def with_nothing_held(view: View) -> View:
     return replace(view, shown=view.shown or STANDING)
 
 
-SCENE = Scene(
+SCENE = SceneOf(
     name="voxel",
     elements=ELEMENTS,
     views={name: with_nothing_held(view) for name, view in VIEWS.items()},

@@ -10,7 +10,6 @@ import hashlib
 import json
 import zlib
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -27,7 +26,7 @@ UNCHANGED = -1  # beside the kinds of blocks
 WHAT = "expected a file that `walk voxel --world` has saved"
 
 
-def encoded(changes: Changes, land: Mapping[str, Any]) -> bytes:
+def encoded(changes: Changes, land: Mapping[str, object]) -> bytes:
     """Return changes as the content of a file; ``land`` says what it is made from."""
     places, kinds = changes.places.astype(PLACE), changes.kinds.astype(KIND)
     body = zlib.compress(places.tobytes() + kinds.tobytes(), 6)
@@ -41,7 +40,7 @@ def encoded(changes: Changes, land: Mapping[str, Any]) -> bytes:
     return json.dumps(head).encode() + b"\n" + body
 
 
-def decoded(data: bytes, name: str, world: World, land: Mapping[str, Any]) -> Changes:
+def decoded(data: bytes, name: str, world: World, land: Mapping[str, object]) -> Changes:
     """Return the blocks that a file's content changes; ``name`` stands for the file in messages.
 
     InputError if it is no such file, is damaged, or belongs to a land made from something else.
@@ -108,10 +107,10 @@ def _at(places: np.ndarray, changes: Changes) -> np.ndarray:
     return kinds
 
 
-def _head(data: bytes, name: str) -> tuple[dict[str, Any], bytes]:
+def _head(data: bytes, name: str) -> tuple[dict[str, object], bytes]:
     """Return the first line of a file and what follows."""
     line, newline, body = data.partition(b"\n")
-    head: Any = None
+    head: object = None
     if newline and len(line) <= LONGEST_HEAD:
         try:
             head = json.loads(line)
@@ -130,7 +129,7 @@ def _head(data: bytes, name: str) -> tuple[dict[str, Any], bytes]:
     return head, body
 
 
-def _check_land(found: Any, name: str, land: Mapping[str, Any]) -> None:
+def _check_land(found: object, name: str, land: Mapping[str, object]) -> None:
     """Raise InputError unless a file belongs to this land."""
     if not isinstance(found, dict):
         raise InputError(
@@ -148,7 +147,7 @@ def _check_land(found: Any, name: str, land: Mapping[str, Any]) -> None:
             )
 
 
-def _kinds(names: Any, name: str) -> list[int]:
+def _kinds(names: object, name: str) -> list[int]:
     """Return the numbers of kinds of blocks by their names."""
     if not isinstance(names, list) or not names:
         raise InputError(

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 
@@ -314,7 +314,7 @@ class Walk:
             self._apply({SETTINGS[name]: value})
             self._tell(name, value)
 
-    def _apply(self, changes: Mapping[str, Any]) -> None:
+    def _apply(self, changes: Mapping[str, object]) -> None:
         """Change settings; open the scene again if it cannot take them as it is."""
         with self.inspection.building():
             self.place.apply(changes, self._rebuild)

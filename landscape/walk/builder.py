@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Hashable
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 
@@ -46,8 +46,8 @@ class WorldFile:
         """Return the content of the file; None if there is none."""
         return read_world(self._path) if self._path.exists() else None
 
-    def opened(self, scene: Any) -> None:
-        """Change a scene that has been opened as the file says; InputError."""
+    def opened(self, scene: object) -> Diggable:
+        """Change a scene that has been opened as the file says, and return it; InputError."""
         if not isinstance(scene, Diggable):
             raise InputError(
                 "world {path}: expected a scene of blocks, such as voxel", path=self._path
@@ -55,6 +55,7 @@ class WorldFile:
         if self._content is not None:
             scene.restore(self._content, self._name)
         self._saved = scene.saved()
+        return scene
 
     def save(self, scene: Diggable) -> bool:
         """Write the file if there is anything new; InputError if that is impossible.
@@ -114,25 +115,24 @@ class Builder:
         self._scene: Diggable | None = None
         self._changes, self._unsaved = 0, 0.0
 
-    def opened(self, scene: Any) -> None:
+    def opened(self, scene: object) -> None:
         """Take note of the scene in which the walk begins; InputError if the file does not fit."""
         if self._file is not None:
-            self._file.opened(scene)
-            self._scene = scene
+            self._scene = self._file.opened(scene)
 
-    def switches(self, scene: Any, names: tuple[str, ...]) -> tuple[str, ...]:
+    def switches(self, scene: object, names: tuple[str, ...]) -> tuple[str, ...]:
         """Return switches as a scene understands them: in one of blocks, digits choose a slot."""
         if not isinstance(scene, Diggable):
             return tuple(name for name in names if name not in SWITCHES)
         return tuple(f"slot_{name}" if name.isdigit() else name for name in names)
 
-    def switch(self, scene: Any, name: str) -> None:
+    def switch(self, scene: object, name: str) -> None:
         """Choose a slot."""
         if isinstance(scene, Diggable):
             steps = {"next_slot": scene.slot + 1, "previous_slot": scene.slot - 1}
             scene.choose(SLOTS.index(name) if name in SLOTS else steps[name])
 
-    def advance(self, scene: Any, walker: Walker, tick: Tick) -> str:
+    def advance(self, scene: object, walker: Walker, tick: Tick) -> str:
         """Dig, place and pick what is asked for in a frame, and save; return what to say, or ""."""
         said = ""
         if isinstance(scene, Diggable):
@@ -154,7 +154,7 @@ class Builder:
                 due.append(tool)
         return due
 
-    def _saved(self, scene: Any, seconds: float) -> str:
+    def _saved(self, scene: object, seconds: float) -> str:
         """Save some time after a change; return what to say of it, or ""."""
         if self._file is None or not isinstance(scene, Diggable):
             return ""
@@ -181,7 +181,7 @@ class Builder:
             self._file.save(scene)
 
     def bar(
-        self, scene: Any, size: tuple[int, int]
+        self, scene: object, size: tuple[int, int]
     ) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
         """Return the picture of the bar for a window: what it depends on, and how to make it."""
         if not isinstance(scene, Diggable) or "crosshair" not in getattr(scene, "shown", ()):

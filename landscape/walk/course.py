@@ -5,13 +5,12 @@ and he flies on from there as he likes.
 """
 
 from dataclasses import replace
-from typing import Any
 
 from landscape.flyover.environment import Environment
 from landscape.flyover.scene_flight import SceneFlight
 from landscape.flyover.settings import Flyover
 from landscape.geometry.roofs import Roofs
-from landscape.scene.scene import Terrain
+from landscape.scene.scene import SceneSettings, Terrain
 from landscape.walk import words
 from landscape.walk.recording import Tick
 from landscape.walk.walker import Intent, Walker
@@ -21,7 +20,7 @@ class Course:
     """The walker's way along the path of an environment, frame by frame."""
 
     def __init__(
-        self, environment: Environment, terrain: Terrain, settings: Any, language: str
+        self, environment: Environment, terrain: Terrain, settings: SceneSettings, language: str
     ) -> None:
         """Plan the flight over an open scene and what stands there, at eye height."""
         self._flight = SceneFlight(environment, Roofs(terrain), settings.walk.eye, Flyover())

@@ -5,10 +5,9 @@ setting before a frame is recorded, so a recording does not depend on which key 
 """
 
 from collections.abc import Sequence
-from typing import Any
 
 from framelens.base.texts import translator
-from landscape.scene.scene import Scene
+from landscape.scene.scene import Scene, SceneSettings
 from landscape.settings import declare as keys
 from landscape.settings.declare import Toggle, Value
 from landscape.walk import words
@@ -17,7 +16,9 @@ from landscape.walk.keys import BY_ACTION, Namer, available, label, labels
 BUILDING = ("dig", "place", "pick", "slots")  # rows of the help in a scene of blocks
 
 
-def help_rows(kind: Scene, settings: Any, language: str, name: Namer) -> list[tuple[str, str]]:
+def help_rows(
+    kind: Scene, settings: SceneSettings, language: str, name: Namer
+) -> list[tuple[str, str]]:
     """Return the rows of the help: keys as the keyboard labels them, and what they do.
 
     Keys that do nothing in the scene are left out; ``name`` says what is printed on a key.
@@ -57,7 +58,7 @@ def named(toggle: Toggle, language: str) -> str:
 
 
 def pressed(
-    kind: Scene, settings: Any, switches: Sequence[str], language: str
+    kind: Scene, settings: SceneSettings, switches: Sequence[str], language: str
 ) -> tuple[tuple[str, ...], dict[str, Value], str]:
     """Return the switches that are the window's, and what the scene's keys among them do.
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Collection, Iterable
-from typing import Any
 
 from framelens.gl.glfw_library import glfw
 from framelens.inspector.requests import Requests
@@ -42,7 +41,7 @@ DRAG = 5.0  # chosen; a motion with the button down that is longer is no click
 JUMP = 200.0  # chosen; a larger motion between two reports is a pointer jump: clamped
 
 
-def fineness(window: Any) -> float:
+def fineness(window: object) -> float:
     """Return how many of a window's coordinates are one of a display of the usual resolution.
 
     On Windows and X11 coordinates are pixels, and so smaller on a fine display. On macOS and
@@ -87,7 +86,7 @@ class Hands:
         self.fineness = 1.0  # see fineness()
         self._wheel = Wheel()
 
-    def listen(self, window: Any) -> None:
+    def listen(self, window: object) -> None:
         """Note what happens in a GLFW window."""
         glfw.set_key_callback(window, lambda _, key, __, action, mods: self.key(key, action, mods))
         glfw.set_mouse_button_callback(

@@ -8,7 +8,6 @@ binding is ``help.ACTION`` in words.py.
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Any
 
 from framelens.gl.glfw_library import glfw
 from framelens.inspector.keys import PRINTING, Namer, sign, us_name
@@ -166,7 +165,7 @@ def pick(key: int, name: Namer) -> str:
     return sign(key, name, UNDER_THE_HAND)
 
 
-def available(settings: Any, fixes: bool, blocks: bool = False) -> tuple[Binding, ...]:
+def available(settings: object, fixes: bool, blocks: bool = False) -> tuple[Binding, ...]:
     """Return the bindings that work in a scene with these settings, with or without fixes.
 
     ``blocks``: in a scene of blocks.

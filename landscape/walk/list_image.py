@@ -1,10 +1,9 @@
 """The picture of the list of settings: the rows around the chosen one, and what that one is."""
 
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
 from framelens.base.fonts import font, writable
 from framelens.inspector.panel import KEYS, PLATE, SMALLEST, TITLE, WORDS, text_size
@@ -18,7 +17,7 @@ CHOSEN = (88, 84, 58, 225)  # chosen: RGBA behind the chosen row
 DEFAULT = (165, 175, 180)  # chosen: RGB of the preset's value, and of rows without effect
 
 
-def wrapped(text: str, face: Any, width: float) -> list[str]:
+def wrapped(text: str, face: ImageFont.FreeTypeFont, width: float) -> list[str]:
     """Return a text in lines of at most ``width`` pixels, broken at spaces."""
     lines = [""]
     for word in text.split(" "):
@@ -74,7 +73,7 @@ def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarra
     image = Image.new("RGBA", (width, height), PLATE)
     draw = ImageDraw.Draw(image)
 
-    def write(x: float, y: float, text: str, colour: Any, anchor: str = "la") -> None:
+    def write(x: float, y: float, text: str, colour: tuple[int, ...], anchor: str = "la") -> None:
         draw.text((x, y), writable(text, face), colour, face, anchor)
 
     write(edge, edge, page.title, TITLE)

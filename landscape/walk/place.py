@@ -5,7 +5,6 @@ A scene that is left stays open, so that coming back takes no time; the price is
 
 import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -15,7 +14,7 @@ from landscape.frame import Pose
 from landscape.geometry.digging import Diggable
 from landscape.geometry.doors import Door, Doored
 from landscape.geometry.flown import Flown
-from landscape.scene.scene import Fix, Moment, OpenScene, Scene, scene
+from landscape.scene.scene import Fix, Moment, OpenScene, Scene, SceneSettings, scene
 from landscape.settings import declare
 from landscape.settings.declare import Value
 from landscape.walk.list_image import list_image
@@ -27,10 +26,11 @@ from landscape.walk.walker import Intent, Walker
 class Place:
     """A scene as it is walked: what kind it is, its settings and their list, the chosen fix."""
 
-    def __init__(self, kind: Scene, settings: Any, preset: str | None) -> None:
+    def __init__(self, kind: Scene, settings: SceneSettings, preset: str | None) -> None:
         """Open nothing yet; ``preset`` is what the list of settings goes back to."""
         self.kind, self.settings = kind, settings
-        self.chooser = Chooser(kind.values(preset))
+        self._defaults = kind.values(preset)
+        self.chooser = Chooser(self._defaults)
         self._fix = 0
         self._scene: OpenScene | None = None
 
@@ -73,13 +73,13 @@ class Place:
         if former is not None:
             former.release()
 
-    def apply(self, changes: Mapping[str, Any], anew: Callable[[], None]) -> None:
+    def apply(self, changes: Mapping[str, object], anew: Callable[[], None]) -> None:
         """Change settings, and call ``anew`` to open the scene again if it cannot take them.
 
         InputError if it cannot be opened with them: then nothing has changed.
         """
         former = self.settings
-        self.settings = declare.passing(former, self.chooser.defaults, changes)
+        self.settings = declare.passing(former, self._defaults, changes)
         try:
             if self.is_open and not self.scene.apply(self.settings):
                 anew()

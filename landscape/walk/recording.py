@@ -12,7 +12,7 @@ import json
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from framelens.base.arguments import MAX_PIXELS, MAX_SIDE
 from framelens.base.errors import InputError
@@ -20,12 +20,13 @@ from framelens.base.input import read_bounded
 from framelens.base.output import Output
 from framelens.system import interrupts_held
 from landscape.frame import Pose
-from landscape.scene.scene import SCENES, Scene, scene
+from landscape.scene.scene import SCENES, Scene, SceneSettings, scene
 from landscape.settings.declare import Value, current_names, get, with_settings
 from landscape.settings.declare import fields as keys_of
 from landscape.walk.settings_list import rows
 from landscape.walk.walker import Intent
 
+Kind = TypeVar("Kind")
 VERSION = 1
 MOST_BYTES = 64 << 20  # chosen: what MOST_FRAMES take at most
 MOST_FRAMES = 500_000  # chosen: over two hours at 60 frames per second
@@ -61,7 +62,7 @@ class Plan:
     """
 
     scene: str
-    settings: Any
+    settings: SceneSettings
     view: str
     pose: Pose
     size: tuple[int, int]
@@ -92,7 +93,7 @@ class Tick:
     changes: Mapping[str, Value] = field(default_factory=dict)
 
 
-def plan_line(plan: Plan) -> dict[str, Any]:
+def plan_line(plan: Plan) -> dict[str, object]:
     """Return a plan as JSON."""
     pose = plan.pose
     return {
@@ -112,10 +113,10 @@ def plan_line(plan: Plan) -> dict[str, Any]:
     }
 
 
-def tick_line(tick: Tick, size: tuple[int, int], row: str) -> dict[str, Any]:
+def tick_line(tick: Tick, size: tuple[int, int], row: str) -> dict[str, object]:
     """Return a frame as JSON; size and row are left out where they are still ``size``, ``row``."""
     default = asdict(Intent())
-    line: dict[str, Any] = {"dt": tick.seconds}
+    line: dict[str, object] = {"dt": tick.seconds}
     line |= {name: v for name, v in asdict(tick.intent).items() if v != default[name]}
     if tick.actions:
         line["do"] = list(tick.actions)
@@ -141,7 +142,7 @@ class Writer:
         self._output = Output(path, f"--record {path}")
         self._write(plan_line(plan))
 
-    def _write(self, line: Mapping[str, Any]) -> None:
+    def _write(self, line: Mapping[str, object]) -> None:
         self._output.write((json.dumps(line, allow_nan=False) + "\n").encode())
 
     def add(self, tick: Tick) -> None:
@@ -207,12 +208,12 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
     return plan, ticks
 
 
-def _is_count(value: Any, wanted: int) -> bool:
+def _is_count(value: object, wanted: int) -> bool:
     """Whether a value is a number; true is not 1."""
     return not isinstance(value, bool) and bool(value == wanted)
 
 
-def _object(path: Path, number: int, line: bytes) -> dict[str, Any]:
+def _object(path: Path, number: int, line: bytes) -> dict[str, object]:
     try:
         value = json.loads(line) if len(line) <= LONGEST_LINE else None
     except (ValueError, RecursionError):
@@ -230,40 +231,41 @@ def _reason(error: Exception) -> str:
     return f"expected {error}" if isinstance(error, KeyError) else str(error)
 
 
-def _number(value: Any, name: str, low: float, high: float) -> float:
+def _number(value: object, name: str, low: float, high: float) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
         raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, not {value!r}")
     return float(value)
 
 
-def _numbers(value: Any, name: str, count: int, low: float, high: float) -> tuple[float, ...]:
+def _numbers(value: object, name: str, count: int, low: float, high: float) -> tuple[float, ...]:
     if not isinstance(value, list) or len(value) != count:
         raise ValueError(f"{name}: expected {count} numbers, not {value!r}")
     return tuple(_number(item, name, low, high) for item in value)
 
 
-def _size(value: Any) -> tuple[int, int]:
+def _size(value: object) -> tuple[int, int]:
     width, height = map(int, _numbers(value, "size", 2, 1, MAX_SIDE))
     if width * height > MAX_PIXELS:
         raise ValueError(f"size: expected at most {MAX_PIXELS} pixels, not {value!r}")
     return width, height
 
 
-def _kind(value: Any, name: str, kind: type) -> Any:
+def _kind(value: object, name: str, kind: type[Kind]) -> Kind:
     if type(value) is not kind:
         raise ValueError(f"{name}: expected {kind.__name__}, not {value!r}")
     return value
 
 
-def _names(value: Any, name: str) -> tuple[str, ...]:
+def _names(value: object, name: str) -> tuple[str, ...]:
     return tuple(_kind(item, name, str) for item in _kind(value, name, list))
 
 
-def _row(value: Any, first: str) -> str:
+def _row(value: object, first: str) -> str:
+    name = _kind(value, "list", str)
     known = (row.name for kind in _scenes(first) for row in rows(type(kind.settings)))
-    if value and value not in known:
-        raise ValueError(f"list: expected the name of a row, not {value!r}")
-    return _kind(value, "list", str)  # type: ignore[no-any-return]
+    if name and name not in known:
+        raise ValueError(f"list: expected the name of a row, not {name!r}")
+    return name
 
 
 def _scenes(first: str) -> Iterator[Scene]:
@@ -272,7 +274,7 @@ def _scenes(first: str) -> Iterator[Scene]:
     yield from (scene(name) for name in SCENES if name != first)
 
 
-def _changes(value: Any, name: str, first: str) -> dict[str, Value]:
+def _changes(value: object, name: str, first: str) -> dict[str, Value]:
     """Return settings by key, checked and converted as those on the command line.
 
     They are those of the plan's scene or, if it does not have them, of another one.
@@ -292,7 +294,7 @@ def _changes(value: Any, name: str, first: str) -> dict[str, Value]:
     return {}
 
 
-def _plan(line: Mapping[str, Any]) -> Plan:
+def _plan(line: Mapping[str, object]) -> Plan:
     x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
     x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -MAX_NUMBER, MAX_NUMBER)
     y = None if y is None else _number(y, "pose", -MAX_NUMBER, MAX_NUMBER)
@@ -319,18 +321,18 @@ def _plan(line: Mapping[str, Any]) -> Plan:
     )
 
 
-def _preset(kind: Scene, value: Any) -> str:
-    name: str = _kind(value, "preset", str)
+def _preset(kind: Scene, value: object) -> str:
+    name = _kind(value, "preset", str)
     kind.values(name or None)
     return name
 
 
-def _tick(line: Mapping[str, Any], before: Tick, first: str) -> Tick:
+def _tick(line: Mapping[str, object], before: Tick, first: str) -> Tick:
     """Return a frame of a walk that began in the scene ``first``.
 
     What its line leaves out is as in the frame ``before``.
     """
-    intent: dict[str, Any] = {}
+    intent: dict[str, Any] = {}  # fields, each of its type
     for item in fields(Intent):
         if item.name not in line:
             continue

@@ -1,7 +1,5 @@
 """The window on the screen: full screen and back, its title, and pictures of it as files."""
 
-from typing import Any
-
 import numpy as np
 
 from framelens.base.errors import InputError
@@ -16,11 +14,10 @@ class FullScreen:
         """``size`` is the window's, in the window system's coordinates, where it began full."""
         self._windowed = (60, 60, *size)
 
-    def toggle(self, window: Any) -> bool:
+    def toggle(self, window: object) -> bool:
         """Change over; return False where there is no monitor."""
         if glfw.get_window_monitor(window):
-            windowed: Any = None
-            glfw.set_window_monitor(window, windowed, *self._windowed, 0)
+            glfw.set_window_monitor(window, None, *self._windowed, 0)
         elif monitor := glfw.get_primary_monitor():
             self._windowed = (*glfw.get_window_pos(window), *glfw.get_window_size(window))
             mode = glfw.get_video_mode(monitor)
@@ -32,7 +29,7 @@ class FullScreen:
         return True
 
 
-def hide_cursor(window: Any, hidden: bool) -> None:
+def hide_cursor(window: object, hidden: bool) -> None:
     """Hide the cursor and keep it in the window, or show it."""
     mode = glfw.CURSOR_DISABLED if hidden else glfw.CURSOR_NORMAL
     glfw.set_input_mode(window, glfw.CURSOR, mode)
@@ -46,7 +43,7 @@ class FrameRate:
         self._title = f"landscape, {scene}" if scene else "landscape"
         self._counted, self._since = 0, glfw.get_time()
 
-    def count(self, window: Any) -> None:
+    def count(self, window: object) -> None:
         """Count a frame; once a second, write the title."""
         self._counted += 1
         elapsed = glfw.get_time() - self._since

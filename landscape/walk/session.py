@@ -5,7 +5,6 @@ import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.base.texts import choose
@@ -13,7 +12,7 @@ from framelens.gl.contexts.glfw import HEADLESS
 from framelens.tape.edit_files import read as read_edits
 from landscape.files.assets import Assets, recording
 from landscape.flyover.environment import open_environment
-from landscape.scene.scene import SEED, Scene, View, scene
+from landscape.scene.scene import SEED, Scene, SceneSettings, View, scene
 from landscape.settings import declare
 from landscape.walk import words
 from landscape.walk.app import Walk
@@ -29,7 +28,7 @@ SIZE = (1280, 720)  # chosen: window coordinates
 def walk(
     kind: Scene,
     begin: View,
-    settings: Any,
+    settings: SceneSettings,
     assets: Assets,
     size: tuple[int, int] | None = None,
     fullscreen: bool = False,
@@ -40,7 +39,7 @@ def walk(
     only: Iterable[str] | None = None,
     seed: int = SEED,
     wireframe: bool = False,
-    given: Mapping[str, Any] | None = None,
+    given: Mapping[str, object] | None = None,
     quiet: bool = False,
     language: str = "",
     fps: float = FPS,
@@ -136,6 +135,6 @@ def walk(
     return 0
 
 
-def _checked(settings: Any, given: Mapping[str, Any]) -> dict[str, declare.Value]:
+def _checked(settings: object, given: Mapping[str, object]) -> dict[str, declare.Value]:
     """Return the values that the keys which were given have in settings, under their names now."""
     return {key: declare.get(settings, key) for key in declare.current_names(settings, given)[0]}

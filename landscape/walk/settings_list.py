@@ -8,12 +8,11 @@ so a replay does not depend on how large a step is.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from framelens.base.texts import Phrases, reworded, translator
 from framelens.inspector.inspector_values import step_of
 from landscape.settings import declare
-from landscape.settings.declare import Field, Value
+from landscape.settings.declare import Setting, Value
 from landscape.settings.notices import WALK, Slot, ignored
 from landscape.walk import words
 
@@ -37,7 +36,7 @@ class Row:
     """A value of the list: a setting, or component ``part`` of one that is a tuple."""
 
     key: str
-    item: Field
+    item: Setting
     part: int = -1
 
     @property
@@ -56,20 +55,20 @@ class Row:
         label = self.key.split(".")[-1]
         if self.part < 0:
             return label
-        colour = self.item.metadata["unit"].startswith("RGB")
+        colour = self.item.unit.startswith("RGB")
         return f"{label} {'RGBA'[self.part] if colour else self.part + 1}"
 
-    def value(self, settings: Any) -> Any:
+    def value(self, settings: object) -> Value:
         """Return the row's value in settings."""
-        value: Any = declare.get(settings, self.key)
-        return value if self.part < 0 else value[self.part]
+        value = declare.get(settings, self.key)
+        return value[self.part] if isinstance(value, tuple) else value
 
-    def changed(self, settings: Any, value: Any) -> Value:
+    def changed(self, settings: object, value: Value) -> Value:
         """Return the value of the whole setting with the row's value replaced."""
-        if self.part < 0:
-            return value  # type: ignore[no-any-return]
         whole = declare.get(settings, self.key)
-        assert isinstance(whole, tuple)
+        if not isinstance(whole, tuple):
+            return value
+        assert isinstance(value, int | float)
         return *whole[: self.part], value, *whole[self.part + 1 :]
 
 
@@ -79,24 +78,26 @@ def rows(kind: type) -> tuple[Row, ...]:
     for key, item in declare.fields(kind).items():
         if isinstance(item.default, tuple):
             found += [Row(key, item, part) for part in range(len(item.default))]
-        elif not isinstance(item.default, str) or item.metadata["choices"]:
+        elif not isinstance(item.default, str) or item.choices:
             found.append(Row(key, item))
     return tuple(found)
 
 
-def stepped(row: Row, value: Any, way: int, usual: float) -> Any:
+def stepped(row: Row, value: Value, way: int, usual: float) -> Value:
     """Return the value one step up (``way`` 1) or down (-1), within the setting's limits.
 
     Bools change over, choices go round, and numbers go to the next multiple of a step that is a
     fraction of the number, or of ``usual`` where that is larger: zero can be reached and left.
     """
-    meta = row.item.metadata
     if isinstance(value, bool):
         return not value
-    if meta["choices"]:
-        choices = meta["choices"]
+    choices = row.item.choices
+    if choices:
         return choices[(choices.index(value) + way) % len(choices)]
-    step = step_of(max(abs(value), abs(usual)) or min(1.0, meta["high"]))
+
+    assert isinstance(value, int | float)
+    low, high = row.item.limits
+    step = step_of(max(abs(value), abs(usual)) or min(1.0, high))
     if isinstance(value, int):
         step = max(1, round(step))
     at = value / step
@@ -104,10 +105,10 @@ def stepped(row: Row, value: Any, way: int, usual: float) -> Any:
 
     # Ten digits hide the error of multiplying by a step such as 0.002.
     number = float(f"{at * step:.10g}")
-    return type(value)(min(max(number, meta["low"]), meta["high"]))
+    return type(value)(min(max(number, low), high))
 
 
-def written(value: Any, language: str) -> str:
+def written(value: Value, language: str) -> str:
     """Return a value as the list shows it."""
     if isinstance(value, bool):
         return words.text(language, "list.on" if value else "list.off")
@@ -119,7 +120,7 @@ def written(value: Any, language: str) -> str:
 class Chooser:
     """Which row is chosen, and whether the list is open; follows the keys that were pressed."""
 
-    def __init__(self, defaults: Any) -> None:
+    def __init__(self, defaults: object) -> None:
         """``defaults`` are the settings of the preset."""
         self.defaults = defaults
         self.rows = rows(type(defaults))
@@ -131,7 +132,7 @@ class Chooser:
         """The name of the row chosen, "" while the list is closed."""
         return self.rows[self.index].name if self.open else ""
 
-    def follow(self, picks: Sequence[str], settings: Any) -> dict[str, Value]:
+    def follow(self, picks: Sequence[str], settings: object) -> dict[str, Value]:
         """Carry out what keys asked for; return the settings to change, by dotted key."""
         changes: dict[str, Value] = {}
         for pick in picks:
@@ -141,7 +142,7 @@ class Chooser:
                 self._pick(pick, settings, changes)
         return {key: value for key, value in changes.items() if value != declare.get(settings, key)}
 
-    def _pick(self, pick: str, settings: Any, changes: dict[str, Value]) -> None:
+    def _pick(self, pick: str, settings: object, changes: dict[str, Value]) -> None:
         if pick in ("up", "down"):
             self.index = (self.index + (1 if pick == "down" else -1)) % len(self.rows)
         elif pick in ("first", "last"):
@@ -155,7 +156,7 @@ class Chooser:
             if pick == "default":
                 value = usual
             elif pick in ("more", "less"):
-                number = 0.0 if isinstance(usual, bool | str) else usual
+                number = 0.0 if isinstance(usual, bool | str | tuple) else usual
                 value = stepped(row, value, 1 if pick == "more" else -1, number)
             elif isinstance(value, bool):
                 value = not value
@@ -192,8 +193,8 @@ class Page:
 
 
 def page(
-    settings: Any,
-    defaults: Any,
+    settings: object,
+    defaults: object,
     chosen: str,
     note: str,
     language: str,
@@ -236,16 +237,17 @@ def heading(group: str, language: str) -> str:
 
 def described(row: Row, language: str) -> str:
     """Return what a setting is, in its language where a text is known, else in English."""
-    return translator(language, "settings")(row.item.metadata["does"], row.key)
+    return translator(language, "settings")(row.item.does, row.key)
 
 
 def _limits(row: Row, language: str) -> str:
-    meta = row.item.metadata
-    if isinstance(row.item.default, bool):
+    """Return what values a row takes, in few words."""
+    item = row.item
+    if isinstance(item.default, bool):
         return f"{written(True, language)}, {written(False, language)}"
-    if meta["choices"]:
-        return ", ".join(meta["choices"])
-    kind = int if isinstance(row.item.default, int) else float
-    low, high = (written(kind(meta[end]), language) for end in ("low", "high"))
-    unit = translator(language, "settings")(meta["unit"])
+    if item.choices:
+        return ", ".join(item.choices)
+    kind = int if isinstance(item.default, int) else float
+    low, high = (written(kind(limit), language) for limit in item.limits)
+    unit = translator(language, "settings")(item.unit)
     return words.text(language, "list.from_to", low=low, high=high, unit=unit).strip()

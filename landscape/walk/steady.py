@@ -6,7 +6,6 @@ and ends with work: waiting for the screen is no reason to draw less.
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import glfw
 
@@ -56,7 +55,7 @@ class Steady:
             moment = replace(moment, detail=self._pace.detail)
         self._stretch.draw(moment, draw, self._pace.interlaced and not whole)
 
-    def show(self, window: Any) -> None:
+    def show(self, window: object) -> None:
         """Show what was drawn, and take note of how long it took."""
         if not self._pace.active:
             glfw.swap_buffers(window)

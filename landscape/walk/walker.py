@@ -11,14 +11,13 @@ returns the next one from the user's input.
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
 
 from landscape.elements.sword import STROKES
 from landscape.frame import Pose
 from landscape.geometry.bodies import Body, Embodied, Wish
 from landscape.geometry.obstacle_grid import Obstacles
 from landscape.geometry.obstacles import MARGIN, RADIUS
-from landscape.scene.scene import Diveable, Terrain, Watery
+from landscape.scene.scene import Diveable, SceneSettings, Terrain, Watery
 from landscape.walk.collisions import FLOOR, Surroundings, freed, gap_to, reachable, solid
 
 STRIDE = 0.02  # chosen: units, the longest step near a wall; far less than a wall's thickness
@@ -111,7 +110,7 @@ def aimed(
     return turn / mouse, (down * 2 * MAX_PITCH + walker.pitch) / mouse
 
 
-def start(pose: Pose, ground: Terrain, settings: Any) -> Walker:
+def start(pose: Pose, ground: Terrain, settings: SceneSettings) -> Walker:
     """Return a walker at a pose: flying if well above eye height, else (or with no y) on foot."""
     y = at_eye = float(ground.height(pose.x, pose.z)) + settings.walk.eye
     if (
@@ -139,7 +138,7 @@ def advance(
     seconds: float,
     ground: Terrain,
     obstacles: Obstacles,
-    settings: Any,
+    settings: SceneSettings,
 ) -> Walker:
     """Return the walker ``seconds`` later; a long frame never takes it through a wall."""
     walk = settings.walk
@@ -170,7 +169,7 @@ def advance(
     return _placed(walker, ground, settings)
 
 
-def _placed(walker: Walker, ground: Terrain, settings: Any) -> Walker:
+def _placed(walker: Walker, ground: Terrain, settings: SceneSettings) -> Walker:
     """Return the walker, knowing whether he swims, and whether he is at the map's edge."""
     if walker.body is not None:
         depth = 2 * DEEP * walker.body.swimming
@@ -183,14 +182,14 @@ def _placed(walker: Walker, ground: Terrain, settings: Any) -> Walker:
     return replace(walker, swimming=swimming, at_edge=at_edge)
 
 
-def _sunk(x: float, z: float, ground: Terrain, settings: Any) -> float:
+def _sunk(x: float, z: float, ground: Terrain, settings: SceneSettings) -> float:
     """Return the water's depth over that at which one floats: 0 on land, over 1 in deep water."""
     if not settings.walk.swim or not isinstance(ground, Watery):
         return 0.0
     return float(ground.depth(x, z)) / max(settings.walk.eye - AFLOAT, 1e-3)
 
 
-def _strike(walker: Walker, intent: Intent, kt: float, settings: Any) -> Walker:
+def _strike(walker: Walker, intent: Intent, kt: float, settings: SceneSettings) -> Walker:
     """Advance the sword's stroke, or start one if none is running."""
     if walker.stroke == 0:
         return replace(walker, stroke=1, struck=0.0) if intent.strike else walker
@@ -202,7 +201,7 @@ def _strike(walker: Walker, intent: Intent, kt: float, settings: Any) -> Walker:
 
 
 def eye_height(
-    x: float, z: float, step: float, ground: Terrain, settings: Any, afloat: float = 0.0
+    x: float, z: float, step: float, ground: Terrain, settings: SceneSettings, afloat: float = 0.0
 ) -> float:
     """Return the walking eye's y in units: ground or water, plus the bob, plus eye height.
 
@@ -218,7 +217,7 @@ def eye_height(
     return y - sunk * (max(walk.eye - AFLOAT, 0.0) - ripple)
 
 
-def _take_off_or_land(walker: Walker, ground: Terrain, settings: Any) -> Walker:
+def _take_off_or_land(walker: Walker, ground: Terrain, settings: SceneSettings) -> Walker:
     """Start flying at the eye's position, or start falling from it."""
     if not walker.flying:
         return replace(walker, flying=True, drop=0.0)
@@ -236,7 +235,7 @@ def _walk(
     reach: float,
     ground: Terrain,
     obstacles: Obstacles,
-    settings: Any,
+    settings: SceneSettings,
 ) -> Walker:
     """Walk up to ``reach`` units towards ``heading`` in degrees, on the ground or in the water."""
     long = math.hypot(intent.forward, intent.right)
@@ -281,7 +280,12 @@ def _walk(
 
 
 def _move_body(
-    walker: Walker, intent: Intent, heading: float, seconds: float, ground: Embodied, settings: Any
+    walker: Walker,
+    intent: Intent,
+    heading: float,
+    seconds: float,
+    ground: Embodied,
+    settings: SceneSettings,
 ) -> Walker:
     """Let a scene move the walker's body, and put the eye where its place over the feet is."""
     walk = settings.walk

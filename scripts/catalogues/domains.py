@@ -165,9 +165,9 @@ def settings() -> Iterator[Message]:
             owner = type(value if "." in row.key else kind.settings)
             source = owner.__module__.replace(".", "/") + ".py"
             yield Message(row.group, source)
-            yield Message(row.item.metadata["does"], source, row.key)
-            if row.item.metadata["unit"]:
-                yield Message(row.item.metadata["unit"], source)
+            yield Message(row.item.does, source, row.key)
+            if row.item.unit:
+                yield Message(row.item.unit, source)
 
 
 def scenes() -> Iterator[Message]:

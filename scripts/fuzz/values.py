@@ -29,18 +29,19 @@ def setting(rng: random.Random) -> str:
 def value(rng: random.Random, key: str) -> str:
     """Return a value of a setting as text: usual, at a limit, beyond it, or none at all."""
     item = FIELDS[key]
-    default, meta = item.default, item.metadata
+    default = item.default
     if rng.random() < 0.05:
         return rng.choice(WORDS)
     if isinstance(default, bool):
         return rng.choice(["true", "false"] * 4 + ["on", "0", "2", "maybe"])
     if isinstance(default, str):
-        return rng.choice([*meta["choices"], default, default, "missing.png"])
+        return rng.choice([*item.choices, default, default, "missing.png"])
     count = len(default) if isinstance(default, tuple) else 1
-    low, high = meta["low"], min(meta["high"], COSTLY.get(key, meta["high"]))
+    low, highest = item.limits
+    high = min(highest, COSTLY.get(key, highest))
     values = []
     for _ in range(count):
-        beyond = rng.choice([low - 1, meta["high"] * 2 + 1]) if rng.random() < 0.1 else low
+        beyond = rng.choice([low - 1, highest * 2 + 1]) if rng.random() < 0.1 else low
         number = rng.choice([beyond, high, *(rng.uniform(low, high) for _ in range(4))])
         values.append(str(int(number)) if isinstance(default, int) else repr(float(number)))
     return ",".join(values)
