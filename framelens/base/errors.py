@@ -4,7 +4,7 @@ import re
 import reprlib
 import sys
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from framelens.base.packages import speaker
@@ -81,6 +81,17 @@ def _filled(template: str, values: dict[str, Any], translate: Translate) -> str:
         for name, value in values.items()
     }
     return template.format(**words)
+
+
+def listed(parts: Iterable[str | Message]) -> str | Message:
+    """Join parts as in "a, b and c"."""
+    *first, last = parts
+    if not first:
+        return last
+    joined = first[0]
+    for part in first[1:]:
+        joined = Message("{some}, {another}", some=joined, another=part)
+    return Message("{some} and {last}", some=joined, last=last)
 
 
 def reason(error: OSError) -> Message:

@@ -51,7 +51,11 @@ def use_platform(name: str, checked: bool | None = None) -> None:
             platform.PLATFORM.OSMesa.OSMesaGetCurrentContext.restype = ctypes.c_void_p
         import OpenGL.GL
     except (ImportError, AttributeError, OSError, TypeError) as error:
-        reason = f"PyOpenGL cannot load the {name} platform ({error})"
         wanted = advice.install(name if name in ("osmesa", "egl") else "glfw", str(error))
-        raise NoOpenGLError("{reason}: {wanted}", reason=reason, wanted=wanted) from error
+        raise NoOpenGLError(
+            "PyOpenGL cannot load the {name} platform ({error}): {wanted}",
+            name=name,
+            error=error,
+            wanted=wanted,
+        ) from error
     _platform = name

@@ -84,8 +84,9 @@ def import_glfw() -> Any:
     try:
         import glfw
     except ImportError as error:
-        reason = f"GLFW cannot be loaded ({error})"
-        raise NoOpenGLError("{reason}: install the Python package glfw", reason=reason) from None
+        raise NoOpenGLError(
+            "GLFW cannot be loaded ({error}): install the Python package glfw", error=error
+        ) from None
     finally:
         if kind:
             # A program started from here may have another display.

@@ -22,7 +22,7 @@ from types import ModuleType
 from typing import Any, TextIO
 
 from framelens.base import guard
-from framelens.base.errors import InputError, NoOpenGLError
+from framelens.base.errors import InputError, Message, NoOpenGLError
 from framelens.gl.foreign import Make, beside, patched
 from framelens.gl.notes import files_beside
 from framelens.gl.seam import unrecorded
@@ -188,16 +188,21 @@ def _pygame_beside(state: Run) -> AbstractContextManager[None]:
     return pygame_beside(state)
 
 
-def _without_toolkit(source: Source) -> str:
+def _without_toolkit(source: Source) -> Message:
     """Return why a program cannot be run to a frame that uses none of our toolkits."""
     if not source.other:
-        return "imports neither glfw, pygame nor OpenGL.GLUT, so it opens no window that we know"
-    past = ""
-    if source.past:
-        past = f"; it may also call OpenGL by {source.past}, past PyOpenGL"
-    return (
-        f"opens its window with {source.other}; programs can be looked into that open it with "
-        f"GLFW, GLUT or pygame, or draw in a QOpenGLWidget{past}"
+        return Message(
+            "imports neither glfw, pygame nor OpenGL.GLUT, so it opens no window that we know"
+        )
+    why = Message(
+        "opens its window with {other}; programs can be looked into that open it with GLFW, GLUT "
+        "or pygame, or draw in a QOpenGLWidget",
+        other=source.other,
+    )
+    if not source.past:
+        return why
+    return Message(
+        "{why}; it may also call OpenGL by {past}, past PyOpenGL", why=why, past=source.past
     )
 
 

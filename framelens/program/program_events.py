@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from framelens.base.errors import InputError, short
+from framelens.base.errors import InputError, Message, short
 from framelens.base.input import read_bounded
 
 MOST_BYTES = 4 << 20  # chosen
@@ -266,7 +266,9 @@ def _pair(given: Any, name: str, where: str) -> tuple[float, float]:
         or not all(type(value) in kinds and abs(value) <= LARGEST for value in given)
         or (whole and min(given) < 1)
     ):
-        expected = f"two whole numbers from 1 to {LARGEST}" if whole else "two numbers"
+        expected = Message("two numbers")
+        if whole:
+            expected = Message("two whole numbers from 1 to {most}", most=LARGEST)
         raise InputError(
             '{where}: "{name}" is {value}, expected {expected}',
             where=where,

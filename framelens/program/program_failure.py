@@ -8,6 +8,7 @@ from types import TracebackType
 from typing import Any
 
 from framelens.base import guard
+from framelens.base.errors import Message
 from framelens.base.packages import FRAMELENS, speaker
 from framelens.program.program_run import Run
 from framelens.program.program_source import ProgramError
@@ -93,16 +94,24 @@ def _of_opengl(error: Any) -> str:
 
 def late(state: Run, wanted: int | None, limit: float) -> ProgramError:
     """Return the error of a program that did not reach the wanted frame within ``limit`` s."""
-    path, frames = state.source.path, state.frames
     if state.window is None:
-        done = f"opened no window for OpenGL within {limit:g} s"
-    elif frames == 0:
-        done = f"completed no frame within {limit:g} s: it never shows one"
+        done = Message("opened no window for OpenGL within {limit:g} s", limit=limit)
+    elif state.frames == 0:
+        done = Message("completed no frame within {limit:g} s: it never shows one", limit=limit)
     else:
-        done = f"completed {count(frames)} within {limit:g} s; frame {wanted} was not reached"
-    return ProgramError("{path}: {done}, or needs a longer --limit", path=path, done=done)
+        done = Message(
+            "completed {count} within {limit:g} s; frame {wanted} was not reached",
+            count=count(state.frames),
+            limit=limit,
+            wanted=wanted,
+        )
+    return ProgramError(
+        "{path}: {done}, or needs a longer --limit", path=state.source.path, done=done
+    )
 
 
-def count(frames: int) -> str:
+def count(frames: int) -> Message:
     """Return a number of frames in words."""
-    return "1 frame" if frames == 1 else f"{frames or 'no'} frames"
+    if frames == 0:
+        return Message("no frames")
+    return Message("1 frame") if frames == 1 else Message("{count} frames", count=frames)

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from framelens.base.errors import NoOpenGLError
+from framelens.base.errors import Message, NoOpenGLError
 from framelens.gl import advice, display
 from framelens.gl.contexts.glfw import check_thread
 from framelens.gl.contexts.software import ask_for_software
@@ -71,9 +71,10 @@ PATIENCE = 1000  # turns without a frame until the program is asked to redraw; c
 def glut_program(run: Run) -> Iterator[None]:
     """Prepare GLUT and PyOpenGL for a program, and replace GLUT's functions inside the block."""
     if run.backend in ("osmesa", "egl", "cgl"):
-        reason = f"GLUT needs a screen, it cannot draw by {run.backend}"
         raise NoOpenGLError(
-            "{path}: {reason}: use --backend glfw", path=run.source.path, reason=reason
+            "{path}: GLUT needs a screen, it cannot draw by {backend}: use --backend glfw",
+            path=run.source.path,
+            backend=run.backend,
         )
     if run.backend == "software":
         ask_for_software()
@@ -238,13 +239,13 @@ class _Glut:
         run.check()
         # freeglut would end the whole process.
         if not self._ready:
-            raise run.refuse("calls glutCreateWindow before glutInit")
+            raise run.refuse(Message("calls glutCreateWindow before glutInit"))
         if run.window is not None:
             raise run.second_window()
         if run.live is not None:
             return self._open_live(title)
         if not real.glutGet(DISPLAY_POSSIBLE):
-            raise run.refuse("asks glutInitDisplayMode for what this screen cannot do")
+            raise run.refuse(Message("asks glutInitDisplayMode for what this screen cannot do"))
         self._window = real.glutCreateWindow(title)
         real.glutDisplayFunc(_nothing)
         real.glutReshapeFunc(_nothing)
@@ -317,7 +318,7 @@ class _Glut:
 
     def glutMainLoop(self) -> None:
         if not self._window:
-            raise self._run.refuse("calls glutMainLoop without a window")
+            raise self._run.refuse(Message("calls glutMainLoop without a window"))
         while not self._leaving:
             self.glutMainLoopEvent()
         if not self._window:
@@ -378,7 +379,7 @@ class _Glut:
         showing.again = False
         self._forced = False
         if not self._call("Display"):
-            raise run.refuse("has no display callback: it never calls glutDisplayFunc")
+            raise run.refuse(Message("has no display callback: it never calls glutDisplayFunc"))
         if run.frames == frames:
             self._end_frame()
         run.showing.again = False

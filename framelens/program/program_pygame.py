@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from framelens.base.errors import NoOpenGLError
+from framelens.base.errors import Message, NoOpenGLError
 from framelens.gl.binding import use_platform
 from framelens.gl.contexts.glfw import check_thread
 from framelens.gl.contexts.software import ask_for_software
@@ -110,8 +110,11 @@ def _choose(run: Run, pygame: Any) -> str:
 
     refused = {"osmesa": "OSMesa", "cgl": "CGL"}
     if run.backend in refused:
-        reason = f"pygame draws by EGL or on a screen, not by {refused[run.backend]}"
-        raise NoOpenGLError("{path}: {reason}", path=run.source.path, reason=reason)
+        raise NoOpenGLError(
+            "{path}: pygame draws by EGL or on a screen, not by {library}",
+            path=run.source.path,
+            library=refused[run.backend],
+        )
     if run.backend == "software":
         ask_for_software()
     kind, reason = screen()
@@ -200,7 +203,7 @@ class _Pygame:
         pygame, run = self._pygame, self._run
         run.check()
         if not flags & pygame.OPENGL:
-            raise run.refuse("opens its pygame window without the flag pygame.OPENGL")
+            raise run.refuse(Message("opens its pygame window without the flag pygame.OPENGL"))
         self._size = run.sized(*map(int, size[:2])) if size and all(size) else FALLBACK
         if not self._real.display.get_init():
             self._real.display.init()  # so does pygame's own set_mode

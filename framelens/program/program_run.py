@@ -14,7 +14,7 @@ from types import FrameType
 from typing import Any, Protocol
 
 from framelens.base.arguments import size
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, Message, short
 from framelens.gl.contexts.glfw import no_context
 from framelens.gl.contexts.software import check_renderer
 from framelens.gl.extensions import profile_mask
@@ -174,7 +174,7 @@ class Run:
         self._polls = 0  # since the last frame
         self._process = os.getpid()
 
-    def refuse(self, reason: str) -> Unwind:
+    def refuse(self, reason: Message) -> Unwind:
         """Return what to raise in the program because it cannot go on."""
         return self.stop(ProgramError("{path}: {reason}", path=self.source.path, reason=reason))
 
@@ -212,7 +212,7 @@ class Run:
 
         use_lists({})
         if gl.glGetString(gl.GL_VERSION) is None:
-            raise self.refuse(f"its context has no OpenGL, or {no_context()}")
+            raise self.refuse(Message("its context has no OpenGL, or {why}", why=no_context()))
         if self.backend == "software":
             check_renderer()
         if window.hidden and WindowFramebuffer.possible():
@@ -251,13 +251,15 @@ class Run:
     def sized(self, width: Any, height: Any) -> tuple[int, int]:
         """Return the size of the window that the program asks for; end it if it is too large."""
         try:
-            return size((width, height))
+            return size((width, height), f"{short(width)}x{short(height)}")
         except InputError as error:
-            raise self.refuse(f"opens a window of {str(error).removeprefix('size ')}") from None
+            raise self.refuse(Message("opens a window of {wrong}", wrong=error)) from None
 
     def second_window(self) -> Unwind:
         """Return what to raise in a program that opens another window."""
-        return self.refuse("opens two windows; only programs with one can be run to a frame")
+        return self.refuse(
+            Message("opens two windows; only programs with one can be run to a frame")
+        )
 
     def polled(self) -> None:
         """Note that the program asks for events; a loop that draws and never swaps ends a frame."""
@@ -287,9 +289,11 @@ class Run:
             os._exit(0)  # a copy of the program, which it has made itself
         self.check()
         if self.window is None:
-            raise self.refuse(f"shows a frame before {self.source.opening}")
+            raise self.refuse(
+                Message("shows a frame before {opening}", opening=self.source.opening)
+            )
         if not self.drawing:
-            raise self.refuse("shows a frame of a window that it has closed")
+            raise self.refuse(Message("shows a frame of a window that it has closed"))
         self.showing.way, self.showing.line = way, self._line()
         with self._watched():
             self.result = self._observer.frame_ended(self.frames)

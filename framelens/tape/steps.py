@@ -126,6 +126,30 @@ def issue(call: Call) -> None:
             issue(inner)
 
 
+def _no_call(place: str, outer: str, count: int) -> InputError:
+    """Return the error of a place that does not exist in the frame, or in the call ``outer``."""
+    if outer and count:
+        return InputError(
+            "call {place}: call {outer} executes {count} calls, expected 0 to {last}",
+            place=short(place),
+            outer=outer,
+            count=count,
+            last=count - 1,
+        )
+    if outer:
+        return InputError(
+            "call {place}: call {outer} executes no calls", place=short(place), outer=outer
+        )
+    if not count:
+        return InputError("call {place}: the frame has no calls", place=short(place))
+    return InputError(
+        "call {place}: the frame has {count} calls, expected 0 to {last}",
+        place=short(place),
+        count=count,
+        last=count - 1,
+    )
+
+
 def find(calls: Sequence[Call], place: str) -> Step:
     """Return the step at a place; InputError names the places there are."""
     parts = place.split(".")
@@ -137,15 +161,7 @@ def find(calls: Sequence[Call], place: str) -> Step:
     for depth, part in enumerate(parts):
         index = int(part[:20])
         if index >= len(among):
-            where = f"call {'.'.join(parts[:depth])} executes" if depth else "the frame has"
-            last = f"expected 0 to {len(among) - 1}" if among else "and no call inside it"
-            raise InputError(
-                "call {place}: {where} {count} calls, {last}",
-                place=short(place),
-                where=where,
-                count=len(among),
-                last=last,
-            )
+            raise _no_call(place, ".".join(parts[:depth]), len(among))
         call = among[index]
         step = Step(".".join(parts[: depth + 1]), call, step.top if step else call)
         among = call.listed

@@ -12,11 +12,10 @@ __all__ = ["EXAMPLE", "add_arguments", "run"]
 def run(options: argparse.Namespace) -> int:
     """Open the inspector over a program's window; return the exit status."""
     if not options.target.endswith(".py"):
-        walk = "in `landscape walk`, I opens the inspector"
         raise InputError(
-            "{target}: expected the path of a .py program; {walk}",
+            "{target}: expected the path of a .py program; in `landscape walk`, I opens the "
+            "inspector",
             target=short(options.target),
-            walk=walk,
         )
     common.settle_language(options)
     return inspect.show(options)

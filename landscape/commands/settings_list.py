@@ -92,12 +92,13 @@ def _rows_of(
     values = kind.values(preset if preset in kind.presets else None, own)
     presets = {name: kind.values(name) for name in kind.presets}
     for key in declare.fields(type(values)):
+        why = ignored(values, key, (*kind.elements, WALK), kind.elements, kind.slots)
         needs = [in_words(type(values), each) for each in conditions(type(values), key, kind.slots)]
         yield {
             **declare.row(values, key),
             "presets": {name: declare.get(each, key) for name, each in presets.items()},
             "needs": [words for words in needs if words],
-            "ignored": ignored(values, key, (*kind.elements, WALK), kind.elements, kind.slots),
+            "ignored": str(why) if why else "",
             "scene": kind.name,
             "scenes": {},
         }

@@ -112,12 +112,17 @@ def _read(path: Path) -> SvgEnvironment:
             '{path}: expected a layer "{camera}", with the camera\'s path', path=path, camera=CAMERA
         )
     if not found.subpaths:
-        hint = "; a clone must be unlinked first" if found.clones else ""
+        if found.clones:
+            raise InputError(
+                '{path}: expected a path of more than one point on the layer "{camera}"; a clone '
+                "must be unlinked first",
+                path=path,
+                camera=CAMERA,
+            )
         raise InputError(
-            '{path}: expected a path of more than one point on the layer "{camera}"{hint}',
+            '{path}: expected a path of more than one point on the layer "{camera}"',
             path=path,
             camera=CAMERA,
-            hint=hint,
         )
 
     if found.image is None and not found.shapes:
@@ -242,8 +247,11 @@ def _collect(element: Element, around: Place, found: Found) -> None:
         found.curves += sum(map(len, curves))
 
     if found.curves > MOST_CURVES or len(found.targets) > MOST_TARGETS:
-        most = f"{MOST_CURVES} nodes and {MOST_TARGETS} points to look at"
-        raise InputError("expected at most {most}", most=most)
+        raise InputError(
+            "expected at most {nodes} nodes and {points} points to look at",
+            nodes=MOST_CURVES,
+            points=MOST_TARGETS,
+        )
 
 
 def _length(element: Element, name: str, whole: float, default: float) -> float:

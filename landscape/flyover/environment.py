@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, Message
 from framelens.base.output import write_whole
 from landscape.files.assets import shipped
 from landscape.files.svg_environment import read
@@ -102,16 +102,19 @@ def checked(environment: Environment, any_size: bool, path: Path | str = "") -> 
             "{path}: expected a path of at least {shortest:g} pixel", path=path, shortest=SHORTEST
         )
     flown = environment.path.at(np.linspace(0, environment.path.length, 100_000))
-    for places, what in ((flown, "the path"), (environment.targets, "a point to look at")):
+    for places, what in (
+        (flown, Message("the path")),
+        (environment.targets, Message("a point to look at")),
+    ):
         height, width = environment.image.shape
         outside = places[((places < 0) | (places > (width, height))).any(axis=1)]
         if len(outside):
             x, y = outside[0]
-            ends = (
-                f"x and y from 0 to {width}"
-                if width == height
-                else (f"x from 0 to {width} and y from 0 to {height}")
+            ends = Message(
+                "x from 0 to {width} and y from 0 to {height}", width=width, height=height
             )
+            if width == height:
+                ends = Message("x and y from 0 to {width}", width=width)
             raise InputError(
                 "{path}: {what} is outside the map: expected {ends} pixels, not {x:.6g}, {y:.6g}",
                 path=path,

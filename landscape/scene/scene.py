@@ -21,7 +21,7 @@ from typing import (
 
 import numpy as np
 
-from framelens.base.errors import InputError, short
+from framelens.base.errors import InputError, listed, short
 from framelens.gl.seam import frame_begins, gl
 from landscape.elements import fog, sun
 from landscape.elements.element import Slot
@@ -341,11 +341,14 @@ def find_view(name: str) -> tuple[Scene, View]:
             return kind, view
     names = [each for kind in kinds for each in (*kind.views, *(fix.name for fix in kind.fixes))]
     close = [each for each in names if name and each.lower().startswith(name.lower())][:CLOSE]
-    meant = f", but {' and '.join(close)}" if close else ""
+    if close:
+        raise InputError(
+            "view {name}: no such view, but {similar}; `landscape views` lists them all",
+            name=short(name),
+            similar=listed(close),
+        )
     raise InputError(
-        "view {name}: no such view{meant}; `landscape views` lists them all",
-        name=short(name),
-        meant=meant,
+        "view {name}: no such view; `landscape views` lists them all", name=short(name)
     )
 
 

@@ -17,7 +17,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import ClassVar, Protocol
 
-from landscape.settings.declare import current_names, fields, get
+from framelens.base.errors import Message, listed
+from landscape.settings.declare import Value, current_names, fields, get
 
 WALK = "walk"  # the word for a walk: settings of the walker do nothing in a still
 
@@ -137,8 +138,8 @@ def ignored(
     shown: Collection[str],
     elements: Collection[str],
     slots: Iterable[Slot] = (),
-) -> str:
-    """Return why a setting has no effect beside the others; "" if it has one.
+) -> Message | None:
+    """Return why a setting has no effect beside the others; None if it has one.
 
     ``shown`` names the elements that are shown, of the scene's ``elements``, and contains WALK in a
     walk. ``slots`` are the scene's.
@@ -148,9 +149,11 @@ def ignored(
         known = [term for term in terms(condition) if term.known(settings, elements)]
         if known and not any(term.holds(settings, shown) for term in known):
             failed += known
+    if not failed:
+        return None
     if any(term.name == WALK for term in failed):
-        return "ignored outside a walk"
-    return "ignored while " + _listed(_reasons(settings, failed)) if failed else ""
+        return Message("ignored outside a walk")
+    return Message("ignored while {reasons}", reasons=listed(_reasons(settings, failed)))
 
 
 def notices(
@@ -170,21 +173,29 @@ def notices(
     return lines
 
 
-def _reasons(settings: object, failed: Iterable[Term]) -> Iterator[str]:
+def _reasons(settings: object, failed: Iterable[Term]) -> Iterator[Message]:
     """Yield what each of these alternatives, which do not hold, finds instead."""
     failed = list(dict.fromkeys(failed))
-    hidden = [term.name for term in failed if not term.is_setting and not term.negated]
-    keys = dict.fromkeys(term.name for term in failed if term.is_setting)
-    yield from (f"{name} is {value_text(get(settings, name))}" for name in keys)
-    yield from (f"{t.name} is shown" for t in failed if not t.is_setting and t.negated)
-    if hidden:
-        yield f"{_listed(hidden)} {'are' if len(hidden) > 1 else 'is'} not shown"
+    for key in dict.fromkeys(term.name for term in failed if term.is_setting):
+        yield _state(key, get(settings, key))
+
+    elements = [term for term in failed if not term.is_setting]
+    for term in elements:
+        if term.negated:
+            yield Message("{name} is shown", name=term.name)
+
+    hidden = [term.name for term in elements if not term.negated]
+    if len(hidden) > 1:
+        yield Message("{names} are not shown", names=listed(hidden))
+    elif hidden:
+        yield Message("{name} is not shown", name=hidden[0])
 
 
-def _listed(parts: Iterable[str]) -> str:
-    """Join parts as English does: "a, b and c"."""
-    *first, last = parts
-    return f"{', '.join(first)} and {last}" if first else last
+def _state(key: str, value: Value) -> Message:
+    """Say what value a setting has."""
+    if isinstance(value, bool):
+        return Message("{key} is on", key=key) if value else Message("{key} is off", key=key)
+    return Message("{key} is {value}", key=key, value=value_text(value))
 
 
 def value_text(value: object) -> str:

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from framelens.base.errors import InputError, short
+from framelens.base.errors import InputError, Message, short
 from landscape.voxel.blocks import BLOCKS, NUMBERS
 from landscape.voxel.world import Changes, World
 
@@ -23,7 +23,7 @@ LONGEST_HEAD = 1 << 16  # bytes, chosen
 MOST_CHANGES = 1_000_000  # blocks, chosen: who digs five a second has them after 55 hours
 PLACE, KIND = np.dtype("<u4"), np.dtype("u1")
 UNCHANGED = -1  # beside the kinds of blocks
-WHAT = "expected a file that `walk voxel --world` has saved"
+WHAT = Message("expected a file that `walk voxel --world` has saved")
 
 
 def encoded(changes: Changes, land: Mapping[str, object]) -> bytes:
@@ -117,8 +117,8 @@ def _head(data: bytes, name: str) -> tuple[dict[str, object], bytes]:
         except (ValueError, RecursionError):
             head = None
     if not isinstance(head, dict) or HEAD not in head:
-        found = "an empty file" if not data else "something else"
-        raise InputError("{name}: {what}, found {value}", name=name, what=WHAT, value=found)
+        value = Message("something else") if data else Message("an empty file")
+        raise InputError("{name}: {what}, found {value}", name=name, what=WHAT, value=value)
     if type(head[HEAD]) is not int or head[HEAD] != VERSION:
         raise InputError(
             "{name}: version {head} of the format: expected {version}",

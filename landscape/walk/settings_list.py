@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from framelens.base.texts import Phrases, reworded, translator
+from framelens.base.texts import said, translator
 from framelens.inspector.inspector_values import step_of
 from landscape.settings import declare
 from landscape.settings.declare import Setting, Value
@@ -17,18 +17,6 @@ from landscape.settings.notices import WALK, Slot, ignored
 from landscape.walk import words
 
 DIGITS = 6  # significant digits shown
-
-# How landscape.settings.notices says that a setting has no effect.
-IGNORED: Phrases = (
-    "ignored while",
-    "are not shown",
-    "is not shown",
-    "is shown",
-    "is on",
-    "is off",
-    "is",
-    "and",
-)
 
 
 @dataclass(frozen=True)
@@ -222,7 +210,7 @@ def page(
         if here:
             limits = words.text(language, "list.range", range=_limits(row, language), default=usual)
             below = f"{row.key}\n{described(row, language)}\n{limits}"
-            note = note or reworded(idle, IGNORED, translator(language, "window"))
+            note = note or (said(idle, language) if idle else "")
 
     text = words.text
     texts = (*below.split("\n"), note, text(language, "list.choose"), text(language, "list.change"))

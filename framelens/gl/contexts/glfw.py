@@ -6,7 +6,7 @@ import threading
 from collections.abc import Iterable
 from typing import Any
 
-from framelens.base.errors import NoOpenGLError
+from framelens.base.errors import Message, NoOpenGLError
 from framelens.gl import advice, display
 from framelens.gl.binding import use_platform
 from framelens.gl.contexts import osmesa
@@ -37,17 +37,18 @@ def check_library() -> None:
     system's.
     """
     if raw.glGetString(VERSION) is None:
-        raise NoOpenGLError(no_context())
+        raise NoOpenGLError("{why}", why=no_context())
 
 
-def no_context() -> str:
+def no_context() -> Message:
     """Return why PyOpenGL sees no context where one was made current, and what to do."""
     from OpenGL.platform import PLATFORM
 
-    name = getattr(PLATFORM.GL, "_name", None) or "the OpenGL library of PyOpenGL"
-    return (
-        f"{name} has no context where one is open: there are two OpenGL libraries; take the folder "
-        "of this one out of PATH"
+    name = getattr(PLATFORM.GL, "_name", None) or Message("the OpenGL library of PyOpenGL")
+    return Message(
+        "{name} has no context where one is open: there are two OpenGL libraries; take the folder "
+        "of this one out of PATH",
+        name=name,
     )
 
 

@@ -20,20 +20,20 @@ MACHINE = "machine"
 
 def read(path: Path) -> dict[str, Any]:
     """Return a result; InputError if the file is none."""
-    expected = f"{path}: expected a result of `landscape flyover --bench --json`"
+    wrong = InputError("{path}: expected a result of `landscape flyover --bench --json`", path=path)
     try:
         found = json.loads(read_bounded(path, MOST_BYTES))
     except (ValueError, RecursionError) as error:
-        raise InputError("{expected} ({error})", expected=expected, error=error) from None
+        raise InputError("{wrong} ({error})", wrong=wrong, error=error) from None
     try:
         row = found["rows"][ROW]
         numbers = [*map(float, (row["fps"], row["ms"], found["frames"], *found["size"]))]
         texts = [found["environment"], found["hash"], found["version"]]
         texts += [found[MACHINE][name] for name in ("processor", "python", "numpy")]
     except (KeyError, TypeError, ValueError, OverflowError, RecursionError):
-        raise InputError(expected) from None
+        raise wrong from None
     if len(numbers) != 5 or not all(isinstance(text, str) for text in texts):
-        raise InputError(expected)
+        raise wrong
     return {**found, "file": path.name}
 
 
