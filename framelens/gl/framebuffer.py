@@ -56,7 +56,9 @@ class Framebuffer:
             gl.glRenderbufferStorageMultisample(gl.GL_RENDERBUFFER, samples, kind, *self.size)
             gl.glFramebufferRenderbuffer(gl.GL_FRAMEBUFFER, place, gl.GL_RENDERBUFFER, buffer)
             buffers.append(buffer)
+
         gl.glBindRenderbuffer(gl.GL_RENDERBUFFER, 0)
+
         state = gl.glCheckFramebufferStatus(gl.GL_FRAMEBUFFER)
         if state != gl.GL_FRAMEBUFFER_COMPLETE:
             raise InputError(

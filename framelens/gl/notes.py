@@ -114,6 +114,7 @@ class Call:
             "text": self.site.text,
             "pass": self.pass_,
         }
+
         if inside:
             entry["inside"] = inside
         if self.skipped:

@@ -95,6 +95,7 @@ class ProgramInspector(ExitStack):
         self._window: Any = None
         self._keys: Mapping[int, str] = {}
         self._coming: list[Event] = []
+
         self._size = (0, 0)
         self._new: state.State = {}  # the state of a new context
         self._setup = Tape((), 0, {}, (0, 0))  # what the program made before its first draw

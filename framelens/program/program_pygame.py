@@ -161,6 +161,7 @@ class _Pygame:
             quit=pygame.quit,
             **{name: types.SimpleNamespace(**vars(getattr(pygame, name))) for name in MODULES},
         )
+
         self._size = FALLBACK
         self._events: list[Any] = []
         self._timers: list[list[Any]] = []  # due, interval, event, how often still
@@ -169,6 +170,7 @@ class _Pygame:
         self._live: LiveWindow | None = None  # the window that the user sees, if there is a user
         self._repeats = False  # whether a key held down is pressed again and again
         self._moved = (0.0, 0.0)  # where the mouse was when get_rel was last asked
+
         self._codes: dict[str, int] = {
             name: int(
                 getattr(pygame, f"K_{KEY_NAMES.get(name, name)}", 0)

@@ -154,6 +154,7 @@ class Run:
         self.clock = Clock(host.seconds if host is not None else None)
         self.events = Queue(events)
         self.frames = 0  # that were completed
+
         self.drew = False  # whether anything was drawn since the last frame's end
         self.window: Window | None = None
         self.drawing = False  # whether the window is open
@@ -164,6 +165,7 @@ class Run:
         self.framebuffer: WindowFramebuffer | None = None  # in the place of the window's own
         self.watchdog: Watchdog | None = None
         self.live = live
+
         self._frame = frame
         self._observer = observer
         self._noticed: set[str] = set()

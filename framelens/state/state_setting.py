@@ -91,9 +91,11 @@ def _set_raster(now: State, target: Mapping[str, Any]) -> None:
     mine = [name for name in now if RASTER in name]
     if all(now[name] == target[name] for name in mine):
         return
+
     raw.glDepthRange(0.0, 1.0)
     raw.glFogi(enum("GL_FOG_COORD_SRC"), enum("GL_FOG_COORD"))
     now |= {"GL_DEPTH_RANGE": [0.0, 1.0], "GL_FOG_COORD_SRC": "GL_FOG_COORD"}
+
     taken = {
         "GL_CURRENT_FOG_COORD": f"{RASTER}DISTANCE",
         "GL_CURRENT_COLOR": f"{RASTER}COLOR",
@@ -102,6 +104,7 @@ def _set_raster(now: State, target: Mapping[str, Any]) -> None:
     for current, name in taken.items():
         now[current] = target[name]
         _call(VARIABLES[current], {**target, current: target[name]})
+
     raw.glWindowPos3f(*target[f"{RASTER}POSITION"][:3])
     if not target[f"{RASTER}POSITION_VALID"]:
         for name in ("GL_PROJECTION", "GL_MODELVIEW"):

@@ -960,6 +960,7 @@ def _behind(
         yield suspect
     if tried:
         return
+
     chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
     away = values["nearest"] - 1.5 * max(size, 1.0) - values["near"]
     moved = np.eye(4)
@@ -1008,6 +1009,7 @@ def _other_plane(
     at = at_of(survey, call)
     projection = list(mine[0].state["GL_PROJECTION_MATRIX"])
     alike = [d for d in survey.shapes if list(d.state["GL_PROJECTION_MATRIX"]) == projection]
+
     return Suspect(
         f"beyond-{plane}",
         at=at or mine[0].call,

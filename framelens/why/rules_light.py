@@ -388,6 +388,7 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     colored = [d for d in colored if not d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
     if not any(_colorful(d) for d in colored):
         return
+
     yield Suspect(
         "no-color-material",
         at=colored[0].setter("GL_LIGHTING") or colored[0].setter("GL_CURRENT_COLOR"),

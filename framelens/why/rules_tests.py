@@ -257,6 +257,7 @@ def holes(survey: Survey) -> Iterator[Suspect]:
     for draw in survey.shapes:
         if not draw.state["GL_CULL_FACE"] or draw.vertices is None or not draw.covered:
             continue
+
         bad = against_neighbours(draw.vertices)
         if bad and draw.vertices.places:
             face = draw.vertices.faces[bad[0]]
@@ -563,6 +564,7 @@ def blend_missing(survey: Survey) -> Iterator[Suspect]:
     if setter is not None:
         yield from _blending_asked_for(shapes, setter)
         return
+
     mine = [
         draw
         for draw in shapes
@@ -631,6 +633,7 @@ def overdrawn(survey: Survey) -> Iterator[Suspect]:
         clears = [d for d in survey.draws if d.index < last.index and d.call.name == "glClear"]
         if not before or not clears:
             continue
+
         moved = Change(
             after={clears[-1].place: [_again(last)]},
             instead={step.place: () for step in last.steps if step.place},

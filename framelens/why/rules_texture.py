@@ -112,6 +112,7 @@ def _upside_down(survey: Survey, call: Call, texture: int, image: Any) -> Iterat
     how, site = origin
     if not how.startswith("pygame"):
         return  # images of PIL that are drawn so may be meant so
+
     upright = [
         draw
         for draw in survey.shapes
@@ -119,6 +120,7 @@ def _upside_down(survey: Survey, call: Call, texture: int, image: Any) -> Iterat
     ]
     if not upright:
         return
+
     rows = pixels[: width * height * channels].reshape(height, width * channels)
     turned = np.ascontiguousarray(rows[::-1]).reshape(-1)
     suspect = Suspect(
@@ -160,6 +162,7 @@ def incomplete(survey: Survey) -> Iterator[Suspect]:
         what = completeness(texture)
         if what is None:
             continue
+
         state, value, values = what
         if value == "empty":
             yield from _nothing_bound(survey, mine, texture)
@@ -228,9 +231,11 @@ def not_enabled(survey: Survey) -> Iterator[Suspect]:
         and _has_coords(d)
         and not any(d.state[f"GL_TEXTURE0.GL_TEXTURE_{k}"] for k in ("1D", "3D", "CUBE_MAP"))
     ]
+
     bound = [d for d in mine if completeness(int(d.state[BOUND])) is None]
     if not bound:
         return
+
     seen = any(d.state[ENABLED] for d in survey.shapes)
     if seen and survey.pixel is None:
         return  # where some are textured, others may be meant to be plain
@@ -341,6 +346,7 @@ def _without(survey: Survey) -> Iterator[Suspect]:
     ]
     if not bare:
         return
+
     mapped = [d for d in survey.shapes if d.state[ENABLED] and _has_coords(d)]
     setter = bare[0].setter(ENABLED)
     if mapped:

@@ -202,6 +202,7 @@ def not_shown(survey: Survey) -> Iterator[Suspect]:
     showing, doubled = past.showing, past.window.double_buffered
     last = _last_drawing(survey)
     function = last.site.function if last else ""
+
     if showing.way == "never" or (showing.way == "callback" and doubled):
         yield Suspect(
             "no-swap",

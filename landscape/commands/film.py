@@ -84,9 +84,11 @@ def run(options: argparse.Namespace) -> int:
         wireframe=options.wireframe,
         language=options.lang or choose(os.environ),
     )
+
     found = places(options.views, wanted)
     changes = given_changes(options, *(kind for kind, _ in found))
     wanted = Wanted(**{**vars(wanted), "changes": changes})
+
     check(options.out, options.size, wanted.rate)
     film = film_of(options.views, wanted)
     kept = write(film, options.out, options.jobs or cores(), options.quiet)

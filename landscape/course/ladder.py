@@ -148,10 +148,12 @@ def read(file: Path) -> Lesson:
     missing = {"topic", "needs", "picture", "keys"} - set(tags)
     if missing:
         raise ValueError(f"{file}: lacks the tags {', '.join(sorted(missing))}")
+
     picture = re.fullmatch(r"frame (\d+)(?: after ([A-Z0-9_ ]+))?", tags["picture"])
     loop = re.fullmatch(r"(\d+) frames", tags.get("loop", "0 frames"))
     if not picture or not loop:
         raise ValueError(f"{file}: expected `picture: frame N [after KEY ...]`, `loop: N frames`")
+
     return Lesson(
         name=file.stem,
         title=title,

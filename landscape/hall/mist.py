@@ -68,8 +68,10 @@ def sheet() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
             area.south,
         ]
     )
+
     x, z = (grid.ravel() for grid in np.meshgrid(along_x, along_z))
     vertices = np.stack([x, np.zeros_like(x), z], axis=1).astype(np.float32)
+
     inwards = np.minimum.reduce([x - area.west, area.east - x, z - area.north, area.south - z])
     aside = np.maximum.reduce([pool.west - x, x - pool.east, pool.north - z, z - pool.south])
     damp = 1.0 - np.clip(aside / DAMP, 0.0, 1.0)

@@ -206,6 +206,7 @@ class MovingSky(Element[Settings]):
                 "OPERAND2_RGB": "SRC_ALPHA",
             }
         )
+
         gl.glMatrixMode(gl.GL_TEXTURE)
         gl.glPushMatrix()
         gl.glTranslatef(along * kt, across * kt, 0.0)

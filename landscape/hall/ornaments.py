@@ -317,6 +317,7 @@ def plinth() -> list[Surface]:
     (x, z), (half, top) = plan.STATUE, plan.PLINTH
     die = half - 0.022
     inner = plan.Rectangle(x - die, x + die, z - die, z + die)
+
     profile = [
         (0.012, top - 0.003),
         (0.014, top - 0.008),
@@ -325,6 +326,7 @@ def plinth() -> list[Surface]:
         (0.001, top - 0.024),
     ]
     lower = [(0.001, 0.034), (0.006, 0.028), (0.012, 0.024), (0.013, 0.020)]
+
     found = around(inner, profile, "plinth") + around(
         inner, [(0.001, top - 0.024), (0.001, 0.034)], "plinth"
     )

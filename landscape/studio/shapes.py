@@ -108,9 +108,11 @@ def noise(x: float, y: float, z: float) -> float:
     u = u * u * (3 - 2 * u)
     v = v * v * (3 - 2 * v)
     w = w * w * (3 - 2 * w)
+
     i = int(i)
     j = int(j)
     k = int(k)
+
     low = mix(
         mix(_lattice(i, j, k), _lattice(i + 1, j, k), u),
         mix(_lattice(i, j + 1, k), _lattice(i + 1, j + 1, k), u),

@@ -49,6 +49,7 @@ def draw_highlight(
         if plant:
             gl.glTranslatef(0.5 - PLANT, 0.0, 0.5 - PLANT)
             gl.glScalef(2 * PLANT, 0.9, 2 * PLANT)
+
         for off in (gl.GL_TEXTURE_2D, gl.GL_FOG, gl.GL_LIGHTING, gl.GL_CULL_FACE):
             gl.glDisable(off)
         gl.glEnable(gl.GL_BLEND)
@@ -57,6 +58,7 @@ def draw_highlight(
         gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_LINE)
         gl.glEnable(gl.GL_POLYGON_OFFSET_LINE)
         gl.glPolygonOffset(OFFSET, OFFSET)
+
         for colour, width in EDGES:
             line_width(width * frame.viewport[1] / TALL)
             gl.glColor4f(*colour)

@@ -75,8 +75,10 @@ class Water(Element[Settings]):
             None  # the textures and equations, and what they depend on
         )
         self._made_of: tuple[float, ...] = ()
+
         if not possible("water.reflection, water.refraction"):
             return
+
         self.images = WaterImages(settings.water)
         far = settings.camera.far
         side = settings.voxel.regions * settings.voxel.region_size * settings.voxel.block

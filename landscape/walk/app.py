@@ -26,6 +26,7 @@ from landscape.files.assets import Assets
 from landscape.geometry.doors import Door
 from landscape.scene.scene import Moment, scene
 from landscape.settings import declare
+from landscape.settings.declare import Value
 from landscape.walk import words
 from landscape.walk.builder import SWITCHES, Builder, WorldFile
 from landscape.walk.digits import help_rows, hint, pressed
@@ -108,16 +109,19 @@ class Walk:
         if not self.headless:
             glfw.swap_interval(1)
         self.hands.listen(self.window)
+
         dpi = max(glfw.get_window_content_scale(self.window))
         self._panel = Panel(
             self._word("help.title"),
             help_rows(self.place.kind, self.place.settings, self._language, system_name),
             dpi,
         )
+
         self._wait("loading")
         with self.inspection.building():
             self.place.open(self._assets, self._seed, plan.only)
             self._builder.opened(self.place.scene)
+
         self.walker = start(plan.pose, self.place.scene, plan.settings)
         self._say(hint(self.place.kind, self._language, system_name))
         self._last = glfw.get_time()
@@ -158,6 +162,7 @@ class Walk:
 
     def listen(self) -> Tick | None:
         """Return the next frame's input, or None if the user leaves."""
+        assert self._context is not None
         glfw.poll_events()
         orders, self.hands.orders = self.hands.orders, []
         self.hands.enter(self.place.kind.blocks, self.place.kind.letters)
@@ -165,32 +170,50 @@ class Walk:
             self.obey(order)
         if glfw.window_should_close(self.window):
             return None
-        now = glfw.get_time()
-        seconds, self._last = now - self._last, now
-        intent, switches = self.hands.take()
-        switches = self._builder.switches(self.place.scene, switches)
-        assert self._context is not None
-        if self.hands.captured and not self.place.settings.walk.mouse_relative:
-            look = aimed(self.walker, *self._context.cursor(), self.place.settings.walk.mouse)
-            intent = replace(intent, look=look)
+
+        seconds = self._lap()
+        intent, keys = self.hands.take()
+        intent = self._aimed(intent)
         if self._inspect(self._context.scale()):
+            # The walk stands still while a frame is looked into.
             self._stood += seconds
             seconds, intent = 0.0, Intent()
-        size = self._context.pixels()
-        seconds = min(max(seconds, 0.0), MAX_SECONDS)
-        picks, self.hands.picks = self.hands.picks, []
-        kind = self.place.kind
+
+        keys = self._builder.switches(self.place.scene, keys)
         settings = self.place.settings
-        chooser = self.place.chooser
-        changes = chooser.follow(picks, settings)
-        switches, toggled, said = pressed(kind, settings, switches, self._language)
+        switches, toggled, said = pressed(self.place.kind, settings, keys, self._language)
+        changes = self._changes(toggled)
         note = self._note or said
         self._note = ""
-        changes = changes | toggled
+
+        seconds = min(max(seconds, 0.0), MAX_SECONDS)
+        row = self.place.chooser.row
+        return Tick(seconds, intent, switches, self._context.pixels(), note, row, changes)
+
+    def _lap(self) -> float:
+        """Return the seconds since the last call."""
+        last, self._last = self._last, glfw.get_time()
+        return self._last - last
+
+    def _aimed(self, intent: Intent) -> Intent:
+        """Return an intent that looks where the pointer is: in 2006 its position set the view."""
+        walk = self.place.settings.walk
+        if not self.hands.captured or walk.mouse_relative:
+            return intent
+        assert self._context is not None
+        return replace(intent, look=aimed(self.walker, *self._context.cursor(), walk.mouse))
+
+    def _changes(self, toggled: Mapping[str, Value]) -> dict[str, Value]:
+        """Return the settings that the list, keys (``toggled``) and a drag have changed, by key."""
+        picks, self.hands.picks = self.hands.picks, []
+        settings = self.place.settings
+        changes = {**self.place.chooser.follow(picks, settings), **toggled}
+
         drag = self.hands.carried()
-        if kind.carried is not None and any(drag):
-            changes = {**changes, **kind.carried(declare.with_settings(settings, changes), *drag)}
-        return Tick(seconds, intent, switches, size, note, chooser.row, changes)
+        carried = self.place.kind.carried
+        if carried is not None and any(drag):
+            changes |= carried(declare.with_settings(settings, changes), *drag)
+        return changes
 
     def follow(self, tick: Tick) -> Tick | None:
         """Prepare the window for a recorded frame; return None if the user leaves."""

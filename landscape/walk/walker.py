@@ -301,10 +301,12 @@ def _move_body(
         eye=walk.eye,
         dive=intent.up < 0.0,
     )
+
     after = ground.moved(body, wish, seconds)
     walked = math.hypot(after.x - walker.x, after.z - walker.z)
     on_foot = after.grounded and walker.body is not None
     step = walker.step + walked * walk.steps_per_unit * on_foot
+
     y = after.y + walk.eye - after.lag + walk.bob * math.cos(step / 3) * after.grounded
     afloat = walker.afloat + seconds if after.swimming else 0.0
     y += RIPPLE * math.sin(2 * math.pi * afloat / RIPPLE_SECONDS)

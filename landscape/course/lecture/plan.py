@@ -158,6 +158,7 @@ def _named(path: Path, line: int, name: str) -> Step:
     """Return the step that a block's first line names."""
     if name in NAMES:
         return Step(name, LESSON, line, lesson(name).file)
+
     if name.endswith(".py"):
         file = path.parent / name
         if not file.is_file():
@@ -168,6 +169,7 @@ def _named(path: Path, line: int, name: str) -> Step:
                 name=short(name),
             )
         return Step(name, PROGRAM, line, file)
+
     try:
         find_view(name)
     except InputError:

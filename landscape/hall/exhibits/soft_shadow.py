@@ -101,12 +101,14 @@ def ring(axis: np.ndarray, radius: float) -> Mesh:
     other = np.cross(axis, (0.0, 1.0, 0.0) if abs(axis[1]) < 0.9 else (1.0, 0.0, 0.0))
     other /= np.linalg.norm(other)
     third = np.cross(axis, other)
+
     long, short = 48, 8
     u = (np.arange(long) / long * 2 * np.pi)[:, None, None]
     v = (np.arange(short) / short * 2 * np.pi)[None, :, None]
     out = np.cos(u) * other + np.sin(u) * third
     normals = (np.cos(v) * out + np.sin(v) * axis).reshape(-1, 3)
     vertices = (radius * out + THICK * (np.cos(v) * out + np.sin(v) * axis)).reshape(-1, 3)
+
     k, j = (each.ravel() for each in np.mgrid[:long, :short])
     after, beside = (k + 1) % long, (j + 1) % short
     a, b = k * short + j, after * short + j

@@ -63,9 +63,11 @@ def trace_model(model: Model, towards: np.ndarray = SPRITE_SUN) -> Traced:
     height = (ends[:, 1] + ends[:, 3]).max()
     span = max(height / 0.965, (right - left) / 0.95)
     left = (left + right - span) / 2
+
     low = np.array([left, -0.1, -0.5])
     shape = tuple(int(np.ceil(s / CELL)) for s in (span, height + 0.2, 1.0))
     grid = bake(cones, low, shape, CELL)
+
     side = SIZE * SUPERSAMPLING
     colours = np.array(model.colours)
     out = trace(cones, colours, side, left, span, span / side, grid, low, CELL, towards)

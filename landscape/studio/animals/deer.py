@@ -81,6 +81,7 @@ def legs(model: Model, spread: float, fore: float, hind: float) -> None:
         model.ball(SHANK, (fx + 0.008, 0.100, z), 0.025)
         model.limb(SHANK, (fx, 0.098, z, 0.021), (fx - 0.032, 0.050, z, 0.022))
         hoof(model, fx - 0.036, z)
+
         hx = 0.52 + back
         top = 0.35 * back
         model.limb(
@@ -129,6 +130,7 @@ def trunk(model: Model, girth: float) -> None:
         (0.28, 0.805, 0, 0.150),
         (0.44, 0.82, 0, 0.150),
     )
+
     model.limb(
         Skin(COAT, 0.07, 0.8),
         (-0.40, 0.86, 0, 0.12),
@@ -137,6 +139,7 @@ def trunk(model: Model, girth: float) -> None:
         (0.25, 0.865, 0, 0.11),
         (0.44, 0.865, 0, 0.125),
     )
+
     model.limb(Skin(COAT, 0.06), (0.44, 0.865, 0, 0.125), (0.555, 0.80, 0, 0.095))
     brisket = ((-0.47, 0.80, 0, 0.135), (-0.45, 0.70, 0, 0.12), (-0.33, 0.60, 0, 0.07))
     model.limb(Skin(COAT, 0.07, 0.8), *brisket)

@@ -84,20 +84,25 @@ def add_planks(gate: Gate) -> None:
     edge = np.minimum(local, 1.0 - local) * plank_w
     gap = np.where(np.abs(gate.x) < plank_w / 2, np.minimum(edge, np.abs(gate.x) - 0.0006), edge)
     shift = rng.uniform(0.0, 10.0, PLANKS)
+
+    # The grain bends around the knots.
     bend = 0.0035 * gate.noise(2.2, 21, 1.0)
     for x0, y0 in ((-0.071, 0.19), (-0.024, 0.07), (0.03, 0.27), (0.062, 0.105), (0.085, 0.22)):
         knot_distance = np.hypot((gate.x - x0) / 0.006, (gate.y - y0) / 0.02)
         bend = bend + 0.0045 * np.sign(gate.x - x0) * np.exp(-(knot_distance**2))
+
     across = (gate.x + bend) * 230.0 + shift[number] * 7.0
     ring = np.sin(across + 2.5 * gate.noise(1.8, 22, 2.0) + 6.0 * gate.y * (1 + shift[number] % 1))
     fibre = ndimage.gaussian_filter(gate.noise(0.5, 23), (26.0, 0.8), mode="wrap")
     split = ndimage.gaussian_filter(gate.noise(0.2, 25), (14.0, 0.5), mode="wrap")
     fibre = 0.8 * fibre / fibre.std() + 0.6 * split / split.std()
+
     tone = rng.normal(1.0, 0.13, PLANKS)[number]
     grain = 1.0 + 0.15 * ring + 0.13 * fibre - 0.30 * smoothstep(1.5, 2.6, -fibre)
     worn = smoothstep(0.075, 0.0, gate.y + 0.012 * gate.noise(1.5, 24))
     albedo = (WOOD * tone[..., None] * grain[..., None]) * (1.0 - 0.5 * worn[..., None])
     albedo = albedo + (0.5 * worn * np.clip(grain, 0.5, 1.4))[..., None] * [0.115, 0.100, 0.080]
+
     height = -0.020 + 0.0028 * (1.0 - np.exp(-np.clip(gap, 0.0, None) / 0.0012))
     height += 0.00016 * ring + 0.00022 * fibre
     albedo = albedo * smoothstep(0.0, 0.0013, gap)[..., None]

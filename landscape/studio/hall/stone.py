@@ -39,6 +39,8 @@ def ashlar(
     fine = spectral_noise(size, 0.9, seed + 1, low_cut=30.0)
     grain = spectral_noise(size, 1.5, seed + 2, low_cut=9.0)
     soft = spectral_noise(size, 1.9, seed + 3, low_cut=3.0)
+
+    # Courses, and in each the joints between its stones.
     warped = y + 0.0007 * grain
     course = np.floor(warped * courses).astype(int)
     up = warped * courses - course
@@ -50,6 +52,8 @@ def ashlar(
     across = x + 0.0007 * grain
     for k in range(1, per_course + 1):
         number += across >= padded[course, k]
+
+    # How far inside its stone a texel is, and the relief that this and the stone's lean make.
     left, right = padded[course, number], padded[course, number + 1]
     stone = course * per_course + number % per_course
     to_side = np.minimum(across - left, right - across)
@@ -64,6 +68,7 @@ def ashlar(
         + 0.00016 * fine
     )
     shade = light_relief(height, size, 0.012, tile=True)
+
     count = courses * per_course
     mixed = rng.dirichlet(np.full(len(colours), 0.7), count) @ colours
     mixed *= rng.normal(1.0, 0.055, (count, 1))

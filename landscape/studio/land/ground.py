@@ -297,6 +297,7 @@ def draw_blades(
         own = 0.60 + 0.40 * rng.random()
         lift = 0.5 + 0.5 * k / count
         steps = int(length * 2.5)
+
         for s in range(steps):
             f = s / steps
             x += 0.4 * math.cos(angle)
@@ -305,6 +306,7 @@ def draw_blades(
             z = lift * (0.25 + f * (1.5 - 0.8 * f))
             half = 0.30 + 0.65 * (1.0 - f)
             value = own * (0.34 + 0.62 * f)
+
             for dj in range(-1, 2):
                 for di in range(-1, 2):
                     px, py = int(math.floor(x)) + di, int(math.floor(y)) + dj
@@ -327,6 +329,7 @@ def draw_pebbles(
         b = rng.uniform(0.6, 1.0)
         turn = rng.uniform(0, math.pi)
         value, warm = rng.uniform(0.45, 0.85), rng.uniform(-1.5, 1.5)
+
         reach = np.arange(-9, 10)
         u, v = np.meshgrid(reach, reach)
         px, py = (np.floor(cx) + u).astype(int), (np.floor(cy) + v).astype(int)
@@ -337,6 +340,7 @@ def draw_pebbles(
         cover = np.clip((1.0 - r) * a * b + 0.5, 0.0, 1.0)
         shade = value * (0.75 - 0.35 * (dx + dy) / a * np.minimum(r, 1.0))
         under = np.exp(-(np.maximum(np.hypot(dx - 1.5, dy - 1.5) / a - 0.8, 0.0) ** 2) * 14.0)
+
         j, i = py % size, px % size
         tone[j, i] *= 1.0 - 0.55 * under * (1.0 - cover)
         tone[j, i] += (shade - tone[j, i]) * cover
@@ -355,10 +359,12 @@ def ground_detail() -> np.ndarray:
     top = ndimage.gaussian_filter(top, 3.0, mode="wrap")
     draw_pebbles(tone, top, hue, 420, np.random.default_rng(7))
     draw_blades(n, 9000, np.random.default_rng(3), tone, top)
+
     tone -= ndimage.gaussian_filter(tone, 22.0, mode="wrap")
     spread = np.sqrt(ndimage.gaussian_filter(tone**2, 30.0, mode="wrap"))
     tone += 0.035 * spectral_noise(n, 0.2, 45, 60.0)
     tone = np.tanh(tone / spread * 0.40) * 0.36
+
     green = np.clip(top - 0.6, 0.0, 0.5)
     green -= ndimage.gaussian_filter(green, 22.0, mode="wrap")
     rgb = np.stack(

@@ -140,6 +140,7 @@ def umbel(at: np.ndarray, face: np.ndarray, size: float, rng: np.random.Generato
     far = size * np.sqrt((np.arange(n) + 0.5) / n)
     way = whorl(np.repeat(middle, n, axis=0), np.arange(n) * 2.4 + rng.uniform(0, 6))
     tops = at + way * far[:, None] + middle * (0.20 * size - 0.20 * far * far / size)[:, None]
+
     foot = at - 0.55 * size * UP
     spokes = kites(
         np.tile(foot, (n, 1)),
@@ -149,6 +150,7 @@ def umbel(at: np.ndarray, face: np.ndarray, size: float, rng: np.random.Generato
         0.012,
         STEM,
     )
+
     each = 9
     around = whorl(np.repeat(middle, each * n, axis=0), rng.uniform(0, 6.3, each * n))
     florets = np.repeat(tops, each, axis=0)

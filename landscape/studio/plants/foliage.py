@@ -88,6 +88,7 @@ def fill_triangles(colour, depth, corners, shades):  # type: ignore[no-untyped-d
         area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
         if abs(area) < 1e-9:
             continue
+
         for row in range(max(0, int(min(y0, y1, y2))), min(h, int(max(y0, y1, y2)) + 1)):
             y = row + 0.5
             for column in range(max(0, int(min(x0, x1, x2))), min(w, int(max(x0, x1, x2)) + 1)):

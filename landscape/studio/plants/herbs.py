@@ -124,6 +124,7 @@ def daisy_head(
         0.34 * size,
         shade,
     )
+
     turns = np.arange(14) * 2.4
     spokes = whorl(np.tile(face, (14, 1)), turns)
     ring = spokes * (0.30 * size * np.sqrt((np.arange(14) + 0.5) / 14))[:, None]

@@ -293,15 +293,18 @@ def thorn() -> np.ndarray:
         spread_boughs(rng, 6, (0.50, 1.0), lambda t: 0.40 - 0.1 * t, (0.10, 0.6), (0.12, 0.16)),
     ]
     boughs[1] = [b._replace(dead=np.cos(b.around) < -0.3) for b in boughs[1]]
+
     frame = form(trunks, boughs, rng, 3)
     attractors = in_lobes(frame.centres, frame.radii, 2600, rng)
     skeleton = colonise(attractors, frame.start, 0.033, np.array([0.16, 0.03, 0.0]), 512)
     r = skeleton.radii(0.0028, 0.062)
     at = live(skeleton, np.flatnonzero(r < 0.0056), frame)
     leaves = sprays(skeleton, at, 20, (0.046, 0.026), (0.0185, 0.0125), 0.0, THORN, rng)
+
     flowering = rng.random(len(skeleton.points)) < 0.12
     blossom = np.repeat(flowering[at], 20) & (rng.random(len(leaves.centre)) < 0.4)
     leaves.albedo[blossom] = np.array([0.46, 0.43, 0.36])
+
     fit(skeleton, leaves, 0.94, 0.90, 0.7)
     bark = bark_texture([0.03, 0.028, 0.025], [0.165, 0.150, 0.132], 7.0, 513)
     return drawn(skeleton, r, leaves, bark, 0.75, 5, rng)

@@ -197,6 +197,7 @@ def broadleaf() -> np.ndarray:
         np.array([0.0, 0.1, 0.0]),
         14,
     )
+
     skeleton.smooth(3)
     r = skeleton.radii(0.0033, 0.088)
     albedos = np.array([[0.080, 0.138, 0.030], [0.120, 0.172, 0.040], [0.055, 0.102, 0.032]])
@@ -204,6 +205,7 @@ def broadleaf() -> np.ndarray:
         skeleton, np.flatnonzero(r < 0.0058), 12, 0.052, (0.036, 0.022), 0.2, albedos, rng
     )
     fit(skeleton, leaves, 0.97, 0.97)
+
     density = foliage_density(leaves)
     canvas = Canvas.blank()
     bark = bark_texture([0.035, 0.028, 0.020], [0.19, 0.158, 0.122], 9.0, 21)
@@ -242,6 +244,7 @@ def birch() -> np.ndarray:
         np.array([0.0, 0.45, 0.0]),
         32,
     )
+
     skeleton.smooth(4)
     tips = np.flatnonzero(skeleton.child_counts() == 0)
     skeleton = hang_twigs(skeleton, tips, (4, 11), 0.028, rng)
@@ -251,6 +254,7 @@ def birch() -> np.ndarray:
         skeleton, np.flatnonzero(r < 0.0034), 4, 0.030, (0.026, 0.019), 0.9, albedos, rng
     )
     fit(skeleton, leaves, 0.92, 0.98)
+
     density = foliage_density(leaves)
     canvas = Canvas.blank()
     draw_skeleton(canvas, skeleton, r, birch_bark(41), density, 0.45, 5, rng)

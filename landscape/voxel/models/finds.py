@@ -138,6 +138,7 @@ def beacon() -> np.ndarray:
     model = np.zeros((11, 11, FLOOR + 18), np.uint8)
     plan, middle = (11, 11), (5, 5)
     model[..., : FLOOR + 1][disc(plan, middle, 4.6)] = block("rock")
+
     shaft = disc(plan, middle, 2.4)
     model[..., FLOOR : FLOOR + 8][shaft] = block("brick")
     model[..., FLOOR : FLOOR + 2][shaft] = block("dark brick")
@@ -145,8 +146,11 @@ def beacon() -> np.ndarray:
     model[5, 7, FLOOR + 1 : FLOOR + 4] = block("planks")
     for x, z, level in ((7, 5, 4), (5, 3, 5), (3, 5, 3)):
         model[x, z, FLOOR + level : FLOOR + level + 2] = block("dark")
+
     model[4:7, 8:10, FLOOR + 1] = block("rock")
     model[5, 8, FLOOR + 1] = 0
+
+    # Lamps between posts, under the roof.
     for x in (3, 7):
         for z in (3, 7):
             model[x, z, FLOOR + 8 : FLOOR + 12] = block("oak log")

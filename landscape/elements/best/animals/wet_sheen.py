@@ -119,6 +119,7 @@ class WetSheen:
             combine({"SRC0_ALPHA": "TEXTURE", "SRC1_ALPHA": "CONSTANT"})
             constant = np.array([0.0, 0.0, 0.0, strength], np.float32)
             gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
+
             gl.glActiveTexture(gl.GL_TEXTURE2)
             gl.glEnable(kind)
             self._around.bind()
@@ -127,6 +128,7 @@ class WetSheen:
             combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
             found = "TEXTURE" if self._wet else "PREVIOUS"
             combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": found})
+
             with texture_matrix(frame.to_world):
                 if self._wet:
                     self._add_sun(wet)

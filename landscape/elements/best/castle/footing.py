@@ -157,6 +157,8 @@ def ground_marks(ground: Ground) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     alpha = np.array([0.62, 0.46, 0.18, 0.0])[:, None] * rng.uniform(0.75, 1.2, len(lines[0]))
     colours = np.zeros((len(vertices), 4), np.float32)
     colours[:, :3], colours[:, 3] = (0.055, 0.048, 0.034), np.clip(alpha, 0, 1).ravel()
+
+    # The path, which widens towards the viewer and is trodden bare in its middle.
     across, along = np.linspace(-1.0, 1.0, 9), np.linspace(0.0, 1.0, 30)
     u, v = np.meshgrid(across, along)
     wander = 0.05 * np.sin(5.0 * v) * v
@@ -170,6 +172,7 @@ def ground_marks(ground: Ground) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     earth[:, :3] = (0.40, 0.335, 0.245)
     earth[:, :3] *= rng.uniform(0.82, 1.12, (len(way), 1))
     earth[:, 3] = 0.72 * worn.ravel()
+
     return (
         np.concatenate([vertices, way]),
         np.concatenate([colours, earth]),

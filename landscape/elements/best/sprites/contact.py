@@ -49,6 +49,7 @@ def contact_quads(
     which = np.flatnonzero((choice.cells < PLANT) & (away < WITHIN) & (alpha > 0.0))
     if not len(which):
         return None
+
     widths, pictures = choice.sizes[which, 0], choice.pictures[which]
     bush = (pictures == HAZEL) | (pictures == BRAMBLE)
     reach = REACHES[np.where(is_deer(choice.cells[which]), DEER_ROW, bush)]
@@ -58,12 +59,15 @@ def contact_quads(
     across, along = reach[:, :1] * ACROSS, reach[:, 1:] * ALONG
     corners = across[..., None] * right + along[..., None] * ahead - shift
     corners *= widths[:, None, None]
+
+    # The corners lie on the slope, and a little nearer to the eye, so that the ground is behind.
     slope = slopes[which]
     corners[..., 1] = corners[..., 0] * slope[:, :1] + corners[..., 2] * slope[:, 1:]
     corners += choice.positions[which][:, None]
     line = frame.eye - corners
     far = np.sqrt((line * line).sum(axis=2, keepdims=True))
     corners += line * np.minimum(NEARER / np.maximum(far, 1e-6), 0.5)
+
     fade = np.clip((WITHIN - away[which]) / (FADES * WITHIN), 0.0, 1.0)
     colours = np.full((len(which), 4), 255.0)
     colours[:, 3] *= settings.transparent.contact * alpha[which] * fade
