@@ -1,19 +1,22 @@
 """Settings that have no effect beside the others: which, why, and how the user is told."""
 
+import ast
 import json
 import logging
+from pathlib import Path
 from typing import Any
 
 import chessboard_scene
 import pytest
 from commands import Shell
 from folded import each
+from test_rooms import ROOT, imports
 
 import landscape
 from landscape.elements.settings import Settings
 from landscape.island.island import ELEMENTS
 from landscape.island.slots import SLOTS
-from landscape.scene.scene import scene
+from landscape.scene.scene import SCENES, scene
 from landscape.settings import declare
 from landscape.settings.notices import WALK, conditions, ignored, in_words, notices, terms
 
@@ -154,3 +157,51 @@ def test_render_logs_it(caplog: pytest.LogCaptureFixture) -> None:
     assert [r.getMessage() for r in caplog.records] == [
         "setting water.points: ignored while water is not shown"
     ]
+
+
+def reached(start: str) -> set[Path]:
+    """Return the files of landscape that a module imports, itself or by way of others."""
+    files: set[Path] = set()
+    left = [start]
+    while left:
+        path = ROOT / (left.pop().replace(".", "/") + ".py")
+        if path.is_file() and path not in files:
+            files.add(path)
+            left += [name for _, name in imports(path)]
+            left += [name.rpartition(".")[0] for _, name in imports(path)]
+    return files
+
+
+@each("name", SCENES)
+def test_a_scene_offers_no_setting_that_nothing_in_it_reads(name: str) -> None:
+    kind = scene(name)
+    files = reached(SCENES[name]) | {*(ROOT / "landscape" / "walk").glob("*.py")}
+    read: set[str] = set()
+    for path in files:
+        if "settings" in path.as_posix() or path.name == "views.py":
+            continue
+        code = ast.parse(path.read_text("utf-8"))
+        named = [node for node in ast.walk(code) if isinstance(node, ast.keyword)]
+        lists = [each.value for each in named if each.arg == "unread"]
+        listed = {id(node) for each in lists for node in ast.walk(each)}
+        for node in ast.walk(code):
+            if isinstance(node, ast.Attribute):
+                read.add(node.attr)
+            elif isinstance(node, ast.Constant) and id(node) not in listed:
+                read.add(str(node.value))
+
+    kinds = declare.fields(type(kind.settings))
+    words = declare.words(type(kind.settings))
+    unread = [
+        key
+        for key in kinds.keys() - words.keys()
+        if key not in read and not {*key.split(".")} <= read
+    ]
+    assert {*unread} <= {*kind.unread} <= {*kinds}
+
+
+def test_a_setting_of_a_shared_group_that_a_scene_does_not_read_is_told() -> None:
+    hall = scene("hall")
+    lines = hall.notices(hall.views["hall"], None, {"camera.cull": False, "fog.density": 0.1})
+    assert lines["camera.cull"] == "setting camera.cull: has no effect in this scene"
+    assert "has no effect" not in lines.get("fog.density", "")

@@ -25,7 +25,8 @@ Row = dict[str, Any]
 class Flyover:
     """The software fly-over: it has settings as a scene has, but there are no views of it."""
 
-    name, elements, slots = "flyover", (), ()
+    name = "flyover"
+    elements, slots, unread = (), (), ()
     settings, presets = flyover.Settings(), flyover.PRESETS
 
     def values(self, name: str | None, changes: Mapping[str, Any] | None = None) -> Any:
@@ -92,7 +93,8 @@ def _rows_of(
     values = kind.values(preset if preset in kind.presets else None, own)
     presets = {name: kind.values(name) for name in kind.presets}
     for key in declare.fields(type(values)):
-        why = ignored(values, key, (*kind.elements, WALK), kind.elements, kind.slots)
+        shown = (*kind.elements, WALK)
+        why = ignored(values, key, shown, kind.elements, kind.slots, kind.unread)
         needs = [in_words(type(values), each) for each in conditions(type(values), key, kind.slots)]
         yield {
             **declare.row(values, key),

@@ -33,7 +33,7 @@ from landscape.hall.statue import Statue
 from landscape.hall.tone import Tone
 from landscape.hall.torches import Torches
 from landscape.hall.views import ELEMENTS, HELD, MAIN, STANDING, VIEWS
-from landscape.scene.scene import Moment, SceneOf, View, begin_frame
+from landscape.scene.scene import Moment, SceneOf, begin_frame
 
 IN_STENCIL = "mirror, shadow, exhibits.solids, exhibits.volume, tone.area"
 NOTHING = -10.0  # units, chosen: so that a view may look at the hall from below
@@ -335,15 +335,10 @@ def extent(area: plan.Rectangle) -> tuple[float, float, float, float]:
     return x, z, (area.south - area.north) / 2, (area.east - area.west) / 2
 
 
-def with_nothing_held(view: View) -> View:
-    """Return a view that shows what it names, or everything but what a walker holds."""
-    return replace(view, shown=view.shown or STANDING)
-
-
 SCENE = SceneOf(
     name="hall",
     elements=ELEMENTS,
-    views={name: with_nothing_held(view) for name, view in VIEWS.items()},
+    views=VIEWS,
     settings=Settings(),
     presets=PRESETS,
     preset="best",
@@ -361,4 +356,6 @@ SCENE = SceneOf(
         *("room", "sun", "fog", "sky", "statue", "torches", "shadow.flame", "shadow.sunlit"),
         *("tone.texture", "tone.texture_contrast", "tone.texture_brightness"),
     ),
+    # All of it is drawn, finely; its walls are always solid, and its pool is too small to swim in.
+    unread=("camera.cull", "camera.lod_pixels", "walk.solid", "walk.swim"),
 )

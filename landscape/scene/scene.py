@@ -198,6 +198,7 @@ class SceneOf(Generic[Values]):
     pixels right and down. ``title`` is for people, in English. ``blocks`` says that a walker digs
     and builds in it (geometry/digging.py). ``baked`` names settings that an open scene takes only
     roughly, which is enough for a walk. ``slots`` are the places that several classes may fill.
+    ``unread`` names settings of the groups it shares with others that have no effect in it.
     """
 
     name: str
@@ -219,6 +220,7 @@ class SceneOf(Generic[Values]):
     blocks: bool = False
     baked: tuple[str, ...] = ()
     slots: tuple[Slot[Values], ...] = ()
+    unread: tuple[str, ...] = ()
 
     def values(self, preset: str | None, *changes: Mapping[str, object]) -> Values:
         """Return the settings of a preset (None: the default) with changes; later ones override.
@@ -268,7 +270,7 @@ class SceneOf(Generic[Values]):
         """Return a line for each given setting that changes nothing in a view, by key."""
         values = self.values(preset or self.preset_of(view), view.settings, given)
         shown = (*self.shown(view, only), *([conditions.WALK] if walking else []))
-        return conditions.notices(values, given, shown, self.elements, self.slots)
+        return conditions.notices(values, given, shown, self.elements, self.slots, self.unread)
 
     def only(self, names: Iterable[str] | None) -> tuple[str, ...]:
         """Return the elements in ``names`` in the scene's order, all for None.

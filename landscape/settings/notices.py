@@ -138,12 +138,15 @@ def ignored(
     shown: Collection[str],
     elements: Collection[str],
     slots: Iterable[Slot] = (),
+    unread: Collection[str] = (),
 ) -> Message | None:
     """Return why a setting has no effect beside the others; None if it has one.
 
     ``shown`` names the elements that are shown, of the scene's ``elements``, and contains WALK in a
-    walk. ``slots`` are the scene's.
+    walk. ``slots`` and ``unread`` are the scene's.
     """
+    if key in unread:
+        return Message("has no effect in this scene")
     failed: list[Term] = []
     for condition in conditions(type(settings), key, slots):
         known = [term for term in terms(condition) if term.known(settings, elements)]
@@ -162,12 +165,13 @@ def notices(
     shown: Collection[str],
     elements: Collection[str],
     slots: Iterable[Slot] = (),
+    unread: Collection[str] = (),
 ) -> dict[str, str]:
     """Return a line for each given key that has no effect beside the others, by key."""
     lines = {}
     for key in current_names(settings, dict.fromkeys(given))[0]:
         if key in fields(type(settings)) and (
-            why := ignored(settings, key, shown, elements, slots)
+            why := ignored(settings, key, shown, elements, slots, unread)
         ):
             lines[key] = f"setting {key}: {why}"
     return lines

@@ -19,7 +19,7 @@ from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
-from landscape.scene.scene import SEED, Moment, SceneOf, View, begin_frame
+from landscape.scene.scene import SEED, Moment, SceneOf, begin_frame
 from landscape.settings.declare import Toggle
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges
@@ -448,15 +448,10 @@ KEYS = {
 }
 
 
-def with_nothing_held(view: View) -> View:
-    """Return a view that shows what it names, or everything but what a walker holds."""
-    return replace(view, shown=view.shown or STANDING)
-
-
 SCENE = SceneOf(
     name="voxel",
     elements=ELEMENTS,
-    views={name: with_nothing_held(view) for name, view in VIEWS.items()},
+    views=VIEWS,
     settings=Settings(),
     presets=PRESETS,
     preset="best",
@@ -471,4 +466,6 @@ SCENE = SceneOf(
     blocks=True,
     # The light of each face is in its colours, which are rounded.
     baked=("time", "sun", "shadow.color", "voxel.slope"),
+    # Regions have a switch of their own, ``voxel.cull``; blocks are always solid.
+    unread=("camera.cull", "camera.lod_pixels", "walk.solid"),
 )

@@ -172,5 +172,6 @@ def list_picture(
 ) -> tuple[Hashable, Callable[[], np.ndarray]]:
     """Return what the picture of a place's list of settings depends on, and how to make it."""
     state = place.settings, place.chooser.defaults, row, done, language
-    shows = *state, frozenset(place.scene.shown), place.kind.elements, place.kind.slots
+    kind = place.kind
+    shows = *state, frozenset(place.scene.shown), kind.elements, kind.slots, kind.unread
     return shows, lambda: list_image(page(*shows), size, dpi)

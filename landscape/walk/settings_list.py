@@ -189,6 +189,7 @@ def page(
     shown: frozenset[str],
     elements: tuple[str, ...],
     slots: tuple[Slot, ...] = (),
+    unread: tuple[str, ...] = (),
 ) -> Page:
     """Return the list with the row ``chosen``; ``note`` says what the last change did.
 
@@ -204,7 +205,7 @@ def page(
             lines.append(Line(heading(group, language)))
         value, default = row.value(settings), row.value(defaults)
         usual = written(default, language)
-        idle = ignored(settings, row.key, {*shown, WALK}, elements, slots)
+        idle = ignored(settings, row.key, {*shown, WALK}, elements, slots, unread)
         here, differs = row.name == chosen, usual if value != default else ""
         lines.append(Line(row.label, written(value, language), differs, here, bool(idle)))
         if here:
