@@ -41,26 +41,19 @@ def inside(place: np.ndarray) -> bool:
     return bool((np.abs(place[[0, 2]] - 0.5) < 0.504).all())
 
 
-def quad(
-    middle: np.ndarray, right: np.ndarray, up: np.ndarray, cell: tuple[int, int], flip: bool
-) -> tuple[list[np.ndarray], list[tuple[float, float]]]:
-    """Return corners and texture coordinates of a picture spanned by ``right`` and ``up``."""
-    corners = [middle - right - up, middle + right - up, middle + right + up, middle - right + up]
-    s0, t0 = cell[0] / 2 + 0.006, cell[1] / 2 + 0.006
-    s1, t1 = s0 + 0.488, t0 + 0.488
-    if flip:
-        s0, s1 = s1, s0
-    return corners, [(s0, t1), (s1, t1), (s1, t0), (s0, t0)]
+class Quads:
+    """Quads with pictures of leaves, each with its normal and its tint."""
 
+    def __init__(self, rng: np.random.Generator) -> None:
+        """Begin without any; ``rng`` chooses between two pictures, and mirrors some."""
+        self._rng = rng
+        self._corners: list[np.ndarray] = []
+        self._coordinates: list[tuple[float, float]] = []
+        self._normals: list[np.ndarray] = []
+        self._tints: list[np.ndarray] = []
 
-def leaves(ground: Ground) -> tuple[Mesh, np.ndarray]:
-    """Return all quads as a mesh, which is seen from both sides, and the tint (n, 3) of each."""
-    rng = np.random.default_rng([2006, 22])
-    corners: list[np.ndarray] = []
-    uv: list[tuple[float, float]] = []
-    normals, tints = [], []
-
-    def put(
+    def add(
+        self,
         middle: np.ndarray,
         right: np.ndarray,
         up: np.ndarray,
@@ -68,58 +61,96 @@ def leaves(ground: Ground) -> tuple[Mesh, np.ndarray]:
         row: int,
         tint: np.ndarray,
     ) -> None:
-        places, coordinates = quad(
-            middle, right, up, (int(rng.integers(2)), row), bool(rng.integers(2))
-        )
-        corners.extend(places)
-        uv.extend(coordinates)
-        normals.extend([normal] * 4)
-        tints.extend([tint] * 4)
+        """Add a picture of a row of the texture, spanned by ``right`` and ``up``."""
+        column, mirrored = int(self._rng.integers(2)), bool(self._rng.integers(2))
+        s0, t0 = column / 2 + 0.006, row / 2 + 0.006
+        s1, t1 = s0 + 0.488, t0 + 0.488
+        if mirrored:
+            s0, s1 = s1, s0
+        self._corners += [
+            middle - right - up,
+            middle + right - up,
+            middle + right + up,
+            middle - right + up,
+        ]
+        self._coordinates += [(s0, t1), (s1, t1), (s1, t0), (s0, t0)]
+        self._normals += [normal] * 4
+        self._tints += [tint] * 4
 
-    for (x, z), angle, width, height in IVIES:
-        low = float(ground(np.array([[x + TOWER_RADIUS * math.cos(angle), z]]))[0])
-        for u, y in stems(width, height, rng):
-            turn = angle + u / TOWER_RADIUS
-            out = np.array([math.cos(turn), 0.0, math.sin(turn)])
-            depth = rng.random()  # leaves that lie farther out get more light
-            proud = (0.024 if y + low < PLINTH[1] + 0.02 else 0.004) + 0.016 * depth
-            middle = np.array([x, low + y, z]) + (TOWER_RADIUS + proud) * out
-            if inside(middle):
-                continue
-            size = (0.022 + 0.024 * rng.random()) * (1.0 - 0.45 * y / height)
-            roll = rng.normal(0.0, 0.5)
-            side = np.array([-out[2], 0.0, out[0]])
-            right = size * (math.cos(roll) * side + np.array([0, math.sin(roll), 0]))
-            up = size * (np.array([0, math.cos(roll), 0]) - math.sin(roll) * side + 0.25 * out)
-            tint = rng.normal(1.0, 0.12) * (0.55 + 0.70 * depth) * np.array([1.0, 1.0, 0.9])
-            put(middle, right, up, out + (0.0, 0.35, 0.0), 0, tint)
-    weeds = outside_of_walls(WEEDS, 0.05, rng)
-    ledges = outside_of_walls(ON_LEDGES, 1e-6, rng)
-    for k, (x, z) in enumerate(np.concatenate([weeds, ledges])):
-        on_ledge = k >= WEEDS
+    def mesh(self) -> tuple[Mesh, np.ndarray]:
+        """Return the quads as a mesh, and the tint (n, 3) of each vertex."""
+        facing = np.array(self._normals)
+        facing /= np.linalg.norm(facing, axis=1, keepdims=True)
+        base = 4 * np.arange(len(self._corners) // 4)[:, None]
+        triangles = (base + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3)
+        mesh = Mesh(
+            np.ascontiguousarray(self._corners, np.float32),
+            np.ascontiguousarray(facing, np.float32),
+            np.ascontiguousarray(triangles, np.uint32),
+            (np.ascontiguousarray(self._coordinates, np.float32),),
+        )
+        return mesh, np.array(self._tints)
+
+
+def leaves(ground: Ground) -> tuple[Mesh, np.ndarray]:
+    """Return all quads as a mesh, which is seen from both sides, and the tint (n, 3) of each."""
+    rng = np.random.default_rng([2006, 22])
+    quads = Quads(rng)
+    for tower, angle, width, height in IVIES:
+        add_ivy(quads, ground, tower, angle, width, height, rng)
+
+    add_weeds(quads, ground, rng)
+    return quads.mesh()
+
+
+def add_ivy(
+    quads: Quads,
+    ground: Ground,
+    tower: tuple[float, float],
+    angle: float,
+    width: float,
+    height: float,
+    rng: np.random.Generator,
+) -> None:
+    """Add the leaves of ivy on a round tower, around the direction ``angle`` from its middle."""
+    x, z = tower
+    low = float(ground(np.array([[x + TOWER_RADIUS * math.cos(angle), z]]))[0])
+    for u, y in stems(width, height, rng):
+        turn = angle + u / TOWER_RADIUS
+        out = np.array([math.cos(turn), 0.0, math.sin(turn)])
+        depth = rng.random()  # leaves that lie farther out get more light
+        proud = (0.024 if y + low < PLINTH[1] + 0.02 else 0.004) + 0.016 * depth
+        middle = np.array([x, low + y, z]) + (TOWER_RADIUS + proud) * out
+        if inside(middle):
+            continue
+
+        size = (0.022 + 0.024 * rng.random()) * (1.0 - 0.45 * y / height)
+        roll = rng.normal(0.0, 0.5)
+        side = np.array([-out[2], 0.0, out[0]])
+        right = size * (math.cos(roll) * side + np.array([0, math.sin(roll), 0]))
+        up = size * (np.array([0, math.cos(roll), 0]) - math.sin(roll) * side + 0.25 * out)
+        tint = rng.normal(1.0, 0.12) * (0.55 + 0.70 * depth) * np.array([1.0, 1.0, 0.9])
+        quads.add(middle, right, up, out + (0.0, 0.35, 0.0), 0, tint)
+
+
+def add_weeds(quads: Quads, ground: Ground, rng: np.random.Generator) -> None:
+    """Add weeds, two crossed quads each, at the foot of the walls and on their ledges."""
+    at_foot = outside_of_walls(WEEDS, 0.05, rng)
+    on_ledges = outside_of_walls(ON_LEDGES, 1e-6, rng)
+    for k, (x, z) in enumerate(np.concatenate([at_foot, on_ledges])):
         size = 0.012 + 0.022 * rng.random() ** 1.5
-        if on_ledge:
+        if k < WEEDS:
+            y = float(ground(np.array([[x, z]]))[0])
+        else:
             y = (PLINTH[1] + 0.012) if rng.random() < 0.7 else (BAND[1] + 0.004)
             size *= 0.6
             towards = np.array([0.5 - x, 0.5 - z])
             x, z = np.array([x, z]) + 0.012 * towards / np.linalg.norm(towards)
-        else:
-            y = float(ground(np.array([[x, z]]))[0])
+
         first = rng.uniform(0.0, math.pi)
         tint = rng.normal(0.95, 0.12) * np.array([1.0, rng.uniform(0.85, 1.0), 0.9])
         for turn in (first, first + math.pi / 2):
             right = size * np.array([math.cos(turn), 0.0, math.sin(turn)])
             up = np.array([0.0, size, 0.0])
             middle = np.array([x, y + 0.92 * size, z])
-            put(middle, right, up, np.array([0.0, 1.0, 0.0]), 1, tint)
-    facing = np.array(normals)
-    facing /= np.linalg.norm(facing, axis=1, keepdims=True)
-    base = 4 * np.arange(len(corners) // 4)[:, None]
-    triangles = (base + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3)
-    mesh = Mesh(
-        np.ascontiguousarray(corners, np.float32),
-        np.ascontiguousarray(facing, np.float32),
-        np.ascontiguousarray(triangles, np.uint32),
-        (np.ascontiguousarray(uv, np.float32),),
-    )
-    return mesh, np.array(tints)
+            quads.add(middle, right, up, np.array([0.0, 1.0, 0.0]), 1, tint)

@@ -17,6 +17,9 @@ SIDES = 24
 UNEVEN = 0.0035  # units by which the rim of the eaves and the slope are out of true
 BARE = 0.5, 0.03  # texture coordinates within one slate
 RIDGE_TILES = 9
+OVERHANG = 0.05  # of the keep's eaves, beyond its walls
+KEEP_HALF = (KEEP[2] - KEEP[0]) / 2
+ROWS, COLUMNS = 7, 9  # of the grid of a slope of the keep's roof
 
 
 def surface(grid: np.ndarray, coordinates: np.ndarray) -> Mesh:
@@ -63,52 +66,68 @@ def cone_roof(x: float, z: float, rng: np.random.Generator) -> list[Mesh]:
 def hip_roof(rng: np.random.Generator) -> list[Mesh]:
     """Return the keep's roof: four slopes, the undersides of their eaves, tiles on the hips."""
     x0, z0, x1, z1, top = KEEP
-    out = 0.05
-    middle = np.array([(x0 + x1) / 2, (z0 + z1) / 2])
-    half = (x1 - x0) / 2 + out
-    slant = math.hypot(half, KEEP_ROOF)
+    peak = np.array([(x0 + x1) / 2, top + KEEP_ROOF, (z0 + z1) / 2])
     meshes = []
-    rows, columns = 7, 9
-    share, across = np.meshgrid(np.linspace(0, 1, rows), np.linspace(-1, 1, columns), indexing="ij")
     for turn in range(4):
-        c, s = round(math.cos(turn * math.pi / 2)), round(math.sin(turn * math.pi / 2))
-        flare = 0.018 * np.clip(0.25 - share, 0.0, 1.0) / 0.25
-        reach = half * (1.0 - share) + flare
-        side = across * reach
-        y = top + share * KEEP_ROOF - 0.3 * flare
-        sag = rng.uniform(-UNEVEN, UNEVEN, y.shape) * (np.abs(across) < 1) * (share < 1)
-        reach, y = reach + sag * (share > 0), y + sag
-        x, z = middle[0] + c * reach - s * side, middle[1] + s * reach + c * side
-        grid = np.stack([x, y, z], axis=-1)
-        uv = np.stack([side / TILE + 0.37 * turn, -share * slant / TILE], axis=-1)
-        meshes.append(surface(grid, uv))
-        inner = np.stack(
-            [
-                middle[0] + (half - out) * (c - s * across[0]),
-                np.full(columns, top),
-                middle[1] + (half - out) * (s + c * across[0]),
-            ],
-            axis=-1,
+        grid, coordinates = roof_slope(turn, rng)
+        meshes.append(surface(grid, coordinates))
+        meshes.append(eaves(turn, grid[0]))
+        # The hip between this slope and the next.
+        meshes += ridge_tiles(grid[0, 0], peak, rng)
+
+    return meshes
+
+
+def turned(turn: int, out: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return x, z of points ``out`` from the keep's middle and to a ``side``, after some turns."""
+    x0, z0, x1, z1, _ = KEEP
+    c, s = round(math.cos(turn * math.pi / 2)), round(math.sin(turn * math.pi / 2))
+    return (x0 + x1) / 2 + c * out - s * side, (z0 + z1) / 2 + s * out + c * side
+
+
+def roof_slope(turn: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Return a slope of the keep's roof: its places (rows, columns, 3) and their coordinates."""
+    top = KEEP[4]
+    half = KEEP_HALF + OVERHANG
+    slant = math.hypot(half, KEEP_ROOF)
+    share, across = np.meshgrid(np.linspace(0, 1, ROWS), np.linspace(-1, 1, COLUMNS), indexing="ij")
+    flare = 0.018 * np.clip(0.25 - share, 0.0, 1.0) / 0.25
+    reach = half * (1.0 - share) + flare
+    side = across * reach
+    y = top + share * KEEP_ROOF - 0.3 * flare
+
+    sag = rng.uniform(-UNEVEN, UNEVEN, y.shape) * (np.abs(across) < 1) * (share < 1)
+    reach, y = reach + sag * (share > 0), y + sag
+    x, z = turned(turn, reach, side)
+    coordinates = np.stack([side / TILE + 0.37 * turn, -share * slant / TILE], axis=-1)
+    return np.stack([x, y, z], axis=-1), coordinates
+
+
+def eaves(turn: int, rim: np.ndarray) -> Mesh:
+    """Return the underside of a slope's eaves, from the wall to the rim (columns, 3)."""
+    across = np.linspace(-1, 1, COLUMNS)
+    x, z = turned(turn, np.full(COLUMNS, KEEP_HALF), KEEP_HALF * across)
+    inner = np.stack([x, np.full(COLUMNS, KEEP[4]), z], axis=-1)
+    return surface(np.stack([inner, rim]), np.broadcast_to(BARE, (2, COLUMNS, 2)))
+
+
+def ridge_tiles(low: np.ndarray, peak: np.ndarray, rng: np.random.Generator) -> list[Mesh]:
+    """Return the tiles that cover a hip from its foot to its peak, (3,) both; they overlap."""
+    along = (peak - low) / RIDGE_TILES
+    flat = np.array([along[2], 0.0, -along[0]]) / math.hypot(along[0], along[2])
+    lift, edge = np.array([0.0, 0.008, 0.0]), np.array([0.0, -0.008, 0.0])
+    meshes = []
+    for k in range(RIDGE_TILES):
+        begin, end = low + along * (k - 0.08), low + along * (k + 1)
+        wide = 0.011 + rng.uniform(-0.001, 0.001)
+        ends = [
+            np.array([at + wide * flat + edge, at + up, at - wide * flat + edge])
+            for at, up in ((begin, 1.35 * lift), (end, lift))
+        ]
+        patch = np.array(BARE) + np.array(
+            [[(0.03 * k, 0.0), (0.03 * k + 0.02, 0.0), (0.03 * k + 0.04, 0.0)]] * 2
         )
-        meshes.append(surface(np.stack([inner, grid[0]]), np.broadcast_to(BARE, (2, columns, 2))))
-        # The hip between this slope and the next, a row of tiles that overlap.
-        low = grid[0, 0]
-        peak = np.array([middle[0], top + KEEP_ROOF, middle[1]])
-        along = (peak - low) / RIDGE_TILES
-        flat = np.array([along[2], 0.0, -along[0]]) / math.hypot(along[0], along[2])
-        for k in range(RIDGE_TILES):
-            begin, end = low + along * (k - 0.08), low + along * (k + 1)
-            wide, lift = 0.011 + rng.uniform(-0.001, 0.001), np.array([0.0, 0.008, 0.0])
-            edge = np.array([0.0, -0.008, 0.0])
-            ends = [
-                np.array([at + wide * flat + edge, at + up, at - wide * flat + edge])
-                for at, up in ((begin, 1.35 * lift), (end, lift))
-            ]
-            grid_ = np.array(ends)[:, ::-1]
-            patch = np.array(BARE) + np.array(
-                [[(0.03 * k, 0.0), (0.03 * k + 0.02, 0.0), (0.03 * k + 0.04, 0.0)]] * 2
-            )
-            meshes.append(surface(grid_, patch))
+        meshes.append(surface(np.array(ends)[:, ::-1], patch))
 
     return meshes
 

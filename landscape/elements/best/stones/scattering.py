@@ -74,74 +74,104 @@ def downhill(ground: Ground, x: np.ndarray, z: np.ndarray, reach: float) -> np.n
     return np.stack([along_x, along_z], axis=1) / (2.0 * reach)
 
 
-def rules(settings: Settings, ground: Ground, seed: int) -> dict[int, Chance]:
-    """Return where each kind lies."""
-    level, size = settings.water.level, ground.size
-    broad, fine = patches(seed + 1, round(size / 1.6) or 1, size), patches(seed + 2, 90, size)
-    castle, rabbit = settings.castle, settings.rabbit
+class Rules:
+    """How likely a stone of each kind is accepted at places x, z (n,): 0..1, (n,)."""
 
-    def site(x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, ...]:
+    def __init__(self, settings: Settings, ground: Ground, seed: int) -> None:
+        """Take the land, and make patches of it in which stones crowd."""
+        self._settings, self._ground = settings, ground
+        size = ground.size
+        self._broad = patches(seed + 1, round(size / 1.6) or 1, size)
+        self._fine = patches(seed + 2, 90, size)
+
+    def crags(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Crags are in steep rock, and on steep coasts."""
+        above, slope, bare, rock, free = self._site(x, z)
+        coast = ramp(0.28, 0.5, slope) * ramp(0.3, 0.1, above)
+        chance = np.maximum(ramp(0.42, 0.75, slope) * ramp(0.3, 0.8, rock), coast)
+        chance *= ramp(-0.12, -0.02, above)
+        chance *= bare * ramp(0.15, 0.5, self._broad(x, z)) * (0.12 + 0.88 * ramp(1.5, 0.2, above))
+        return chance * free * clear_of_deer(x, z)
+
+    def boulders(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Boulders lie at the foot of slopes from which they fell, on shores, and a few alone."""
+        above, slope, bare, rock, free = self._site(x, z)
+        broad, fine = self._broad(x, z), self._fine(x, z)
+        foot = ramp(0.55, 0.9, self._steepest_above(x, z)) * ramp(1.1, 0.5, slope)
+        shore = ramp(-0.14, -0.04, above) * ramp(0.16, 0.02, above) * ramp(0.12, 0.3, slope)
+
+        here = np.maximum(foot * (0.25 + 0.75 * bare), np.maximum(0.7 * shore, 0.5 * rock))
+        here = np.maximum(here * ramp(0.3, 0.65, broad), shore * ramp(0.1, 0.6, fine))
+        here *= ramp(-0.15, -0.05, above) * (0.25 + 0.75 * ramp(1.6, 0.4, above))
+        lone = 0.012 * ramp(0.6, 0.8, fine) * (above > 0.1) * ramp(0.5, 0.2, slope)
+        return np.maximum(here, lone) * free * clear_of_deer(x, z)
+
+    def stones(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Stones are scree on slopes of rock and bare earth, and shingle on shores."""
+        above, slope, bare, rock, free = self._site(x, z)
+        fine = self._fine(x, z)
+        scree = rock * ramp(0.25, 0.5, slope) + 0.9 * bare * ramp(0.2, 0.45, slope)
+        shore = ramp(-0.06, 0.0, above) * ramp(0.12, 0.04, above) * ramp(0.08, 0.25, slope)
+        here = np.maximum(scree, shore) * ramp(0.35, 0.75, fine) * ramp(-0.06, -0.02, above)
+        return here * free * (0.15 + 0.85 * ramp(1.6, 0.5, above))
+
+    def pebbles(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Pebbles lie along the line that the highest waves reach, and on bare earth."""
+        above, slope, bare, _, free = self._site(x, z)
+        line = np.exp(-(((above - 0.045 - 0.03 * self._broad(x, z)) / 0.014) ** 2))
+        line = np.maximum(line, 0.5 * np.exp(-(((above - 0.012) / 0.012) ** 2)))
+        earth = 1.0 * bare * ramp(0.28, 0.6, slope) * ramp(1.4, 0.4, above)
+        clumps = ramp(0.3, 0.8, self._fine(x, z))
+        return np.maximum(line, earth) * (0.06 + 0.94 * clumps) * (above > -0.02) * free
+
+    def logs(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Logs have drifted to the upper edge of flat beaches."""
+        above, slope, bare, _, free = self._site(x, z)
+        line = np.exp(-(((above - 0.07) / 0.02) ** 2)) * ramp(0.35, 0.2, slope)
+        return line * bare * free * ramp(0.45, 0.6, self._broad(x, z)) * clear_of_deer(x, z)
+
+    def _site(self, x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, ...]:
         """Return height above the water, slope, bareness, rock and free ground, (n,) each."""
+        ground, castle, rabbit = self._ground, self._settings.castle, self._settings.rabbit
         colour, fall = ground.drawn_colour(x, z), downhill(ground, x, z, 0.12)
         normals = np.insert(-fall, 1, 1.0, axis=1)
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+
         free = np.hypot(x - castle.x, z - castle.z) > CASTLE
         free &= np.hypot(x - rabbit.x, z - rabbit.z) > 3.0 * rabbit.scale
-        free &= np.minimum.reduce([x, z, size - x, size - z]) > 0.5
-        above = ground.terrain_height(x, z) - level
+        free &= np.minimum.reduce([x, z, ground.size - x, ground.size - z]) > 0.5
+
+        above = ground.terrain_height(x, z) - self._settings.water.level
         slope = np.hypot(*fall.T)
         return above, slope, 1.0 - greenness(colour), rock_share(normals, colour), free
 
-    def clear_of_deer(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        away = [np.hypot(x - post[0], z - post[1]) for post in DEER_POSTS]
-        return np.asarray(np.min(away, axis=0) > DEER_ROOM)
-
-    def crags(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        above, slope, bare, rock, free = site(x, z)
-        coast = ramp(0.28, 0.5, slope) * ramp(0.3, 0.1, above)
-        found = np.maximum(ramp(0.42, 0.75, slope) * ramp(0.3, 0.8, rock), coast)
-        found *= ramp(-0.12, -0.02, above)
-        found *= bare * ramp(0.15, 0.5, broad(x, z)) * (0.12 + 0.88 * ramp(1.5, 0.2, above))
-        return found * free * clear_of_deer(x, z)
-
-    def boulders(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        above, slope, bare, rock, free = site(x, z)
-        fall = downhill(ground, x, z, 0.15)
+    def _steepest_above(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return the greatest slope (n,) of the ground uphill, from where a boulder may fall."""
+        fall = downhill(self._ground, x, z, 0.15)
         up = fall / np.maximum(np.hypot(*fall.T), 1e-6)[:, None]
-        above_it = [
-            np.hypot(*downhill(ground, x + away * up[:, 0], z + away * up[:, 1], 0.12).T)
+        slopes = [
+            np.hypot(*downhill(self._ground, x + away * up[:, 0], z + away * up[:, 1], 0.12).T)
             for away in UPHILL
         ]
-        foot = ramp(0.55, 0.9, np.max(above_it, axis=0)) * ramp(1.1, 0.5, slope)
-        shore = ramp(-0.14, -0.04, above) * ramp(0.16, 0.02, above) * ramp(0.12, 0.3, slope)
-        here = np.maximum(foot * (0.25 + 0.75 * bare), np.maximum(0.7 * shore, 0.5 * rock))
-        here = np.maximum(here * ramp(0.3, 0.65, broad(x, z)), shore * ramp(0.1, 0.6, fine(x, z)))
-        here *= ramp(-0.15, -0.05, above) * (0.25 + 0.75 * ramp(1.6, 0.4, above))
-        lone = 0.012 * ramp(0.6, 0.8, fine(x, z)) * (above > 0.1) * ramp(0.5, 0.2, slope)
-        return np.maximum(here, lone) * free * clear_of_deer(x, z)
+        return np.asarray(np.max(slopes, axis=0))
 
-    def stones(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        above, slope, bare, rock, free = site(x, z)
-        scree = rock * ramp(0.25, 0.5, slope) + 0.9 * bare * ramp(0.2, 0.45, slope)
-        shore = ramp(-0.06, 0.0, above) * ramp(0.12, 0.04, above) * ramp(0.08, 0.25, slope)
-        here = np.maximum(scree, shore) * ramp(0.35, 0.75, fine(x, z)) * ramp(-0.06, -0.02, above)
-        return here * free * (0.15 + 0.85 * ramp(1.6, 0.5, above))
 
-    def pebbles(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        above, slope, bare, _, free = site(x, z)
-        # Along the line that the highest waves reach, and on earth that nothing covers.
-        line = np.exp(-(((above - 0.045 - 0.03 * broad(x, z)) / 0.014) ** 2))
-        line = np.maximum(line, 0.5 * np.exp(-(((above - 0.012) / 0.012) ** 2)))
-        earth = 1.0 * bare * ramp(0.28, 0.6, slope) * ramp(1.4, 0.4, above)
-        clumps = ramp(0.3, 0.8, fine(x, z))
-        return np.maximum(line, earth) * (0.06 + 0.94 * clumps) * (above > -0.02) * free
+def clear_of_deer(x: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return whether places (n,) are not where a deer stands."""
+    away = [np.hypot(x - post[0], z - post[1]) for post in DEER_POSTS]
+    return np.asarray(np.min(away, axis=0) > DEER_ROOM)
 
-    def logs(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        above, slope, bare, _, free = site(x, z)
-        line = np.exp(-(((above - 0.07) / 0.02) ** 2)) * ramp(0.35, 0.2, slope)
-        return line * bare * free * ramp(0.45, 0.6, broad(x, z)) * clear_of_deer(x, z)
 
-    return {CRAG: crags, BOULDER: boulders, STONE: stones, PEBBLE: pebbles, LOG: logs}
+def rules(settings: Settings, ground: Ground, seed: int) -> dict[int, Chance]:
+    """Return where each kind lies."""
+    place = Rules(settings, ground, seed)
+    return {
+        CRAG: place.crags,
+        BOULDER: place.boulders,
+        STONE: place.stones,
+        PEBBLE: place.pebbles,
+        LOG: place.logs,
+    }
 
 
 def strewn(settings: Settings, ground: Ground, seed: int) -> Stones:

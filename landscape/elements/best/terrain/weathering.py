@@ -66,56 +66,86 @@ def weathered(
 
     ``rock``, uint8 (m, m, 3), is the detail texture of rock.
     """
-    side, cell = len(colours), field.size / (len(field.heights) - 1)
-    rise_z, rise_x = (np.asarray(each) for each in np.gradient(field.heights, np.float32(cell)))
-    heights, rise_x, rise_z = (enlarged(each, side) for each in (field.heights, rise_x, rise_z))
-    above, slope = heights - field.water_level, np.hypot(rise_x, rise_z)
-    fine = 0.6 * noise(1, side // 3, side) + 0.5 * noise(2, side // 9, side)
-    broad = noise(3, side // 60, side)
-
+    land = Land(field, len(colours))
     bare = 1.0 - turf[..., 0] / np.float32(255.0)
-    factor = np.ones((side, side, 3), np.float32)
-    stony = ramp(*STEEP, slope) * (0.25 + 0.75 * bare) * ramp(-0.15, -0.02, above)
-    rows, columns = np.nonzero(stony > 0.02)
-    at = rows, columns
-    unit = field.size / side
-    shade = upright(
-        rock, (columns + 0.5) * unit, (rows + 0.5) * unit, heights[at], rise_x[at], rise_z[at]
-    )
-    layer = LAYERS * heights[at] + 0.3 * broad[at] + 0.12 * fine[at]
-    layer -= np.floor(layer)
-    ledge = RIM * ramp(0.7, 0.95, layer) - UNDERCUT * ramp(0.30, 0.05, layer)
-    ledge *= ramp(-0.6, 0.6, noise(4, side // 22, side)[at])
-    factor[at] = np.clip(1.0 + stony[at] * (shade + ledge), DARKEST, LIGHTEST)[:, None]
+    stony = ramp(*STEEP, land.slope) * (0.25 + 0.75 * bare) * ramp(-0.15, -0.02, land.above)
+    at = np.nonzero(stony > 0.02)
 
-    # No sand lies on steep ground: it is rock, whatever its colour was. Its fine shades were
-    # painted from above and would be streaks on it; they are blurred below the pattern.
-    steep = (stony[at] * ramp(0.35, 0.6, slope[at]))[:, None]
-    own = colours[at].astype(np.float32)
+    factor = np.ones((*stony.shape, 3), np.float32)
+    relief = land.relief(rock, *at)
+    factor[at] = np.clip(1.0 + stony[at] * relief, DARKEST, LIGHTEST)[:, None]
+    flat = bare * ramp(0.3, 0.15, land.slope)
+    for tide in TIDES:
+        factor *= 1.0 - land.weed(flat, *tide)[..., None] * (1.0 - np.array(WEED, np.float32))
+    # Sand is blown into low dunes, which the sun lights from one side.
+    dune = flat * ramp(0.03, 0.1, land.above)
+    factor *= (1.0 + 0.03 * dune * (land.broad + 1.2 * land.fine))[..., None]
+
+    # No sand lies on steep ground: it is rock, whatever its colour was.
+    steep = stony[at] * ramp(0.35, 0.6, land.slope[at])
+    painted = colours.copy()
+    painted[at] = rocky(colours, at, steep[:, None]) + 0.5
+    painted = on_sand(painted, land.above, land.slope, land.broad + land.fine)
+    shaded = np.clip(painted * factor + 0.5, 0, 255).astype(np.uint8)
+    return shaded, ragged(turf, land.fine)
+
+
+class Land:
+    """Heights and slopes at the texels of a picture, and noise over it, (side, side) each."""
+
+    def __init__(self, field: HeightField, side: int) -> None:
+        """Compute them for ``side`` texels along the land's side."""
+        cell = np.float32(field.size / (len(field.heights) - 1))
+        rise_z, rise_x = (np.asarray(each) for each in np.gradient(field.heights, cell))
+        self._side, self._unit = side, field.size / side
+        self._heights = enlarged(field.heights, side)
+        self._rise_x, self._rise_z = enlarged(rise_x, side), enlarged(rise_z, side)
+        self.above = self._heights - field.water_level
+        self.slope = np.hypot(self._rise_x, self._rise_z)
+        self.fine = 0.6 * noise(1, side // 3, side) + 0.5 * noise(2, side // 9, side)
+        self.broad = noise(3, side // 60, side)
+
+    def relief(self, rock: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+        """Return the shade (k,) of rock at texels, a factor less 1: its pattern, and ledges."""
+        at = rows, columns
+        x, z = (columns + 0.5) * self._unit, (rows + 0.5) * self._unit
+        shade = upright(rock, x, z, self._heights[at], self._rise_x[at], self._rise_z[at])
+
+        layer = LAYERS * self._heights[at] + 0.3 * self.broad[at] + 0.12 * self.fine[at]
+        layer -= np.floor(layer)
+        ledge = RIM * ramp(0.7, 0.95, layer) - UNDERCUT * ramp(0.30, 0.05, layer)
+        ledge *= ramp(-0.6, 0.6, noise(4, self._side // 22, self._side)[at])
+        return shade + ledge
+
+    def weed(self, flat: np.ndarray, height: float, half: float, strength: float) -> np.ndarray:
+        """Return how much dry weed a tide has left on ``flat`` ground, 0..1."""
+        line = (self.above - height - 0.014 * self.broad - 0.004 * self.fine) / half
+        return np.asarray(strength * flat * np.exp(-line * line) * ramp(-0.6, 0.5, self.fine))
+
+
+def rocky(colours: np.ndarray, at: tuple[np.ndarray, np.ndarray], steep: np.ndarray) -> np.ndarray:
+    """Return the colours of some texels, float32 (k, 3), as those of rock where it is ``steep``.
+
+    Their fine shades were painted from above and would be streaks on it, so they are blurred.
+    """
+    side = len(colours)
     small = max(side // SOFTER, 1)
     reduced = Image.fromarray(colours).resize((small, small), Image.Resampling.BOX)
     soft = np.asarray(reduced.resize((side, side), Image.Resampling.BICUBIC))
+    own = colours[at].astype(np.float32)
     own += steep * (soft[at] - own)
+
     light = own @ np.full(3, 1 / 3, np.float32)
-    rocky = np.minimum(light, 0.5 * light + 0.5 * 255 * PALEST)[:, None] * 3.0 * GREY
-    colours = colours.copy()
-    colours[at] = own + steep * (rocky - own) + 0.5
+    grey = np.minimum(light, 0.5 * light + 0.5 * 255 * PALEST)[:, None] * 3.0 * GREY
+    return np.asarray(own + steep * (grey - own))
 
-    flat = bare * ramp(0.3, 0.15, slope)
-    for height, half, strength in TIDES:
-        line = (above - height - 0.014 * broad - 0.004 * fine) / half
-        weed = strength * flat * np.exp(-line * line) * ramp(-0.6, 0.5, fine)
-        factor *= 1.0 - weed[..., None] * (1.0 - np.array(WEED, np.float32))
-    # Sand is blown into low dunes, which the sun lights from one side.
-    dune = flat * ramp(0.03, 0.1, above)
-    factor *= (1.0 + 0.03 * dune * (broad + 1.2 * fine))[..., None]
 
-    colours = on_sand(colours, above, slope, broad + fine)
+def ragged(turf: np.ndarray, fine: np.ndarray) -> np.ndarray:
+    """Return the fraction of turf, uint8 (n, n, 1), its edges moved by noise."""
     edge = turf[..., 0] / np.float32(255.0)
     edge = edge + RAGGED * fine * edge * (1.0 - edge)
-    ragged = np.clip((edge - 0.5) * 1.5 + 0.5, 0.0, 1.0)
-    found = np.clip(colours * factor + 0.5, 0, 255).astype(np.uint8)
-    return found, (255.0 * ragged + 0.5).astype(np.uint8)[..., None]
+    sharp = np.clip((edge - 0.5) * 1.5 + 0.5, 0.0, 1.0)
+    return (255.0 * sharp + 0.5).astype(np.uint8)[..., None]
 
 
 def on_sand(
