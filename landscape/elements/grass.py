@@ -143,6 +143,12 @@ def check_loop(count: int) -> None:
         )
 
 
+def strip_indices(count: int) -> np.ndarray:
+    """Return the indices of the triangles of blades, uint32 (9 * count,), five vertices each."""
+    first = 5 * np.arange(count, dtype=np.uint32)[:, None]
+    return np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
+
+
 class Grass(Element[Settings]):
     """All blades, cell by cell."""
 
@@ -247,8 +253,7 @@ class Grass(Element[Settings]):
         if not count:
             return
         if len(self._indices) < 9 * count:
-            first = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
-            self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
+            self._indices = strip_indices(2 * count)
             self._coordinates = np.tile(COORDINATES, (2 * count, 1))
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT):
             gl.glColor3f(*self.settings.sun.tint)

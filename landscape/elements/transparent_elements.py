@@ -92,6 +92,17 @@ def crossed_quads(positions: np.ndarray, sizes: np.ndarray, winds: np.ndarray) -
     return out
 
 
+def blend_pictures(texture: Texture) -> None:
+    """Set the state in which sprites are blended with their pictures, inside an attrib."""
+    gl.glDepthMask(gl.GL_FALSE)
+    gl.glEnable(gl.GL_BLEND)
+    gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+    gl.glEnable(gl.GL_ALPHA_TEST)
+    gl.glAlphaFunc(gl.GL_GREATER, CLEAR)
+    gl.glEnable(gl.GL_TEXTURE_2D)
+    texture.bind()
+
+
 def kinds_in(only: Collection[str]) -> set[str]:
     """Return the kinds of sprites that may be shown."""
     return {name for name in SPRITES if name in only}
@@ -206,13 +217,7 @@ class TransparentElements(Element[Settings]):
         with attrib(groups | gl.GL_CURRENT_BIT):
             gl.glColor3f(*self.settings.sun.tint)
             if self.settings.transparent.textured:
-                gl.glDepthMask(gl.GL_FALSE)
-                gl.glEnable(gl.GL_BLEND)
-                gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-                gl.glEnable(gl.GL_ALPHA_TEST)
-                gl.glAlphaFunc(gl.GL_GREATER, CLEAR)
-                gl.glEnable(gl.GL_TEXTURE_2D)
-                self._texture.bind()
+                blend_pictures(self._texture)
             with client_arrays(vertices, coordinates=[coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)

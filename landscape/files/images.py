@@ -126,6 +126,13 @@ def red_values(image: Image.Image) -> np.ndarray:
     return np.asarray(image.convert("RGB"), np.float32)[..., 0]
 
 
+def half_size(level: np.ndarray) -> np.ndarray:
+    """Return a picture (h, w, ...) of even sides at half its size: means of 2 x 2 texels."""
+    return np.asarray(
+        (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2]) / 4
+    )
+
+
 def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
     """Return up to ``levels`` mip levels of a sprite, (h, w, 4) uint8 first, alpha coverage kept.
 
@@ -138,7 +145,7 @@ def mip_chain(rgba: np.ndarray, levels: int) -> list[np.ndarray]:
     level[..., :3] *= level[..., 3:]
     covered = float((level[..., 3] > 0.5).mean())
     while len(chain) < levels and min(level.shape[:2]) > 1:
-        level = (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2]) / 4
+        level = half_size(level)
         alpha = level[..., 3:]
         scale = _coverage_scale(alpha, covered)
         colour = level[..., :3] / np.maximum(alpha, 1e-4)

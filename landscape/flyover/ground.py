@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from landscape.files.images import half_size
 from landscape.flyover.noise import noise
 from landscape.flyover.sunlight import normals, sky_seen, smooth_step, sun_light
 
@@ -247,4 +248,4 @@ def pyramid(colour: np.ndarray, wet: np.ndarray, cliff: np.ndarray, period: floa
         at += parts[-1].size
         if len(level) == 1:
             return Pyramid(np.concatenate(parts), np.array(offsets), bits, period)
-        level = (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2]) / 4
+        level = half_size(level)

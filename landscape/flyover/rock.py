@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from landscape.files.images import half_size
 from landscape.flyover.noise import noise
 from landscape.flyover.sunlight import smooth_step
 
@@ -69,7 +70,7 @@ def rock(folded: bool) -> Rock:
         count += level.size
         if len(level) == 1:
             return Rock(np.concatenate(parts), np.array(offsets))
-        level = (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2]) / 4
+        level = half_size(level)
 
 
 def dip(folded: bool) -> np.ndarray:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from landscape.frame import Pose
 from landscape.island.views import OUTDOORS, VIEWS
+from landscape.scene.safeguard import Comparison
 from landscape.scene.scene import View
 from landscape.settings.declare import Value
 
@@ -12,26 +13,13 @@ GROUND = None  # as a pose's y: eye height above the ground
 
 
 @dataclass(frozen=True)
-class Fix:
-    """One fix: where to see it, the settings before and after, and its captions.
+class Fix(Comparison):
+    """One fix: a picture before it, and one after; ``flaw`` says which figure shows the flaw.
 
-    ``view`` is a pose, or the name of the view whose pose to take; ``after_pose`` replaces it in
-    the second picture. ``off`` and ``on`` are the settings before and after, ``common`` those of
-    both pictures; ``only`` names the elements to show. ``flaw`` says what is wrong, and which
-    figure shows it; ``look`` what to compare; ``how`` what changes in OpenGL; ``seen`` describes
-    the two pictures for readers who cannot see them.
+    ``after_pose`` replaces the pose in the second picture. ``common`` are settings of both
+    pictures; ``only`` names the elements to show.
     """
 
-    name: str
-    title: str
-    view: str | Pose
-    kt: float
-    off: Mapping[str, Value]
-    on: Mapping[str, Value]
-    flaw: str
-    look: str
-    how: str
-    seen: tuple[str, str]
     common: Mapping[str, Value] = field(default_factory=dict)
     only: tuple[str, ...] = OUTDOORS
     after_pose: Pose | None = None

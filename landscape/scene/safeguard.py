@@ -1,4 +1,4 @@
-"""What a safeguard of a scene is: a pair of settings, pictures and captions.
+"""Pairs of pictures, without something and with it: settings, pose and captions.
 
 Each scene that has some derives a class of its own, which knows the scene's views.
 """
@@ -13,17 +13,13 @@ from landscape.settings.declare import Value
 
 
 @dataclass(frozen=True)
-class Safeguard:
-    """One safeguard: where to see it, the settings without and with it, and its captions.
+class Comparison:
+    """Two pictures: where to see them, the settings without and with something, and captions.
 
-    ``view`` is a pose, or the name of the view whose pose to take. ``flaw`` says what goes wrong,
-    ``look`` what to compare, ``how`` what the safeguard does in OpenGL; ``seen`` describes the two
+    ``view`` is a pose, or the name of the view whose pose to take. ``flaw`` says what goes wrong
+    without it, ``look`` what to compare, ``how`` what changes in OpenGL; ``seen`` describes the two
     pictures for readers who cannot see them.
     """
-
-    VIEWS: ClassVar[Mapping[str, View]] = {}
-    STANDING: ClassVar[tuple[str, ...]] = ()
-    """The names of the elements that both pictures show."""
 
     name: str
     title: str
@@ -35,6 +31,15 @@ class Safeguard:
     look: str
     how: str
     seen: tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Safeguard(Comparison):
+    """A picture without a safeguard of a scene, and one with it."""
+
+    VIEWS: ClassVar[Mapping[str, View]] = {}
+    STANDING: ClassVar[tuple[str, ...]] = ()
+    """The names of the elements that both pictures show."""
 
     def settings(self, after: bool) -> Mapping[str, Value]:
         """Return the settings of one picture: without the safeguard, or with it."""

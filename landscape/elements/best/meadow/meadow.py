@@ -55,7 +55,7 @@ from landscape.elements.best.meadow.sward import (
 from landscape.elements.best.terrain.shadows import cast_from
 from landscape.elements.element import Element, Site
 from landscape.elements.fog import visibility
-from landscape.elements.grass import COORDINATES, STRIP_TRIANGLES, TALLEST, WIND, Grass, blade_wind
+from landscape.elements.grass import COORDINATES, TALLEST, WIND, Grass, blade_wind, strip_indices
 from landscape.elements.grass_cells import (
     CELL,
     HALF_DIAGONAL,
@@ -331,8 +331,7 @@ class Meadow(Element[Settings]):
         vertices = self.bend(frame, patch).reshape(-1, 3)
         coordinates = self._corners[patch.kinds].reshape(-1, 2)
         if len(self._indices) < 9 * count:
-            first = 5 * np.arange(2 * count, dtype=np.uint32)[:, None]
-            self._indices = np.ascontiguousarray((first + STRIP_TRIANGLES).ravel())
+            self._indices = strip_indices(2 * count)
         tinted = patch.tints.reshape(-1, 4) if self.settings.grass.tinted else None
         cut = cut_out() if self.settings.grass.sward else nullcontext()
         sharp = sharper(frame.detail.coarser)

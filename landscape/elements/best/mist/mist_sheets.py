@@ -26,6 +26,7 @@ from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
 from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
+from landscape.gl.generated import generate_by_planes
 
 UNLIT = np.zeros((0, 3), np.float32)  # the normals of a mesh that is not lit
 TURN, SHIFT = 67.0, 0.37  # chosen: degrees and textures by which each sheet differs from the next
@@ -127,15 +128,10 @@ class MistSheets:
         mask.bind()
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         x0, z0, x1, z1 = self._edges
-        planes = (
+        generate_by_planes(
             (1 / (x1 - x0), 0.0, 0.0, -x0 / (x1 - x0)),
             (0.0, 0.0, 1 / (z1 - z0), -z0 / (z1 - z0)),
         )
-        for name, plane in zip("ST", planes, strict=True):
-            coordinate = getattr(gl, f"GL_{name}")
-            gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_OBJECT_LINEAR)
-            gl.glTexGenfv(coordinate, gl.GL_OBJECT_PLANE, np.array(plane, np.float32))
-            gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
     def _draw_sheet(self, number: int, drift: float, opacity: float) -> None:

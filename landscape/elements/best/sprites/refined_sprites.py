@@ -58,7 +58,7 @@ from landscape.elements.planting import DEER, PLANT
 from landscape.elements.settings import Settings
 from landscape.elements.sprite_names import HERBS
 from landscape.elements.sun import direction
-from landscape.elements.transparent_elements import CLEAR, kinds_in
+from landscape.elements.transparent_elements import blend_pictures, kinds_in
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.frame import Frame
@@ -212,13 +212,7 @@ class RefinedSprites(Element[Settings]):
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_CURRENT_BIT):
             if settings.transparent.textured:
-                gl.glDepthMask(gl.GL_FALSE)
-                gl.glEnable(gl.GL_BLEND)
-                gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-                gl.glEnable(gl.GL_ALPHA_TEST)
-                gl.glAlphaFunc(gl.GL_GREATER, CLEAR)
-                gl.glEnable(gl.GL_TEXTURE_2D)
-                self._texture.bind()
+                blend_pictures(self._texture)
                 tops = settings.trees.crown, settings.plants.rosette, backs_fit(settings)
                 if any(tops) and not self._topped:
                     self._fill_tops()

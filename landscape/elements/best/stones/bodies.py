@@ -9,12 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from landscape.elements.best.stones.scattering import Stones, patches, ramp
+from landscape.elements.best.stones.scattering import Stones, patches
 from landscape.elements.best.stones.shapes import CRAG, LOG, PEBBLE, STONE, Shape
 from landscape.elements.ground import Ground
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, painted
 from landscape.geometry.height_field import greenness
+from landscape.geometry.ramp import ramp
 
 LEVELS = 3  # the most that a shape has
 # All chosen.

@@ -23,6 +23,7 @@ from landscape.elements.ground import Ground
 from landscape.elements.planting import CASTLE, DEER_POSTS, Chance, scatter
 from landscape.elements.settings import Settings
 from landscape.geometry.height_field import greenness, lookup
+from landscape.geometry.ramp import ramp
 
 # Chosen: fraction of all stones that are of each kind, in the order of KINDS; the radii in units
 # between which they are, and how much rarer large ones are.
@@ -60,11 +61,6 @@ def patches(seed: int, cells: int, size: float) -> Chance:
         )
 
     return noise
-
-
-def ramp(low: float, high: float, values: np.ndarray) -> np.ndarray:
-    """Return 0 at ``low`` and 1 at ``high``, linear between; ``low`` may exceed ``high``."""
-    return np.asarray(np.clip((values - low) / (high - low), 0.0, 1.0))
 
 
 def downhill(ground: Ground, x: np.ndarray, z: np.ndarray, reach: float) -> np.ndarray:

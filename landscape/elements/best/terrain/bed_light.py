@@ -25,6 +25,7 @@ from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
 from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
+from landscape.gl.generated import generate_by_planes
 
 LAST = 3  # the last texture unit of the ground itself (materials.py)
 DEEPEST = 0.15  # chosen: units of depth at which the net has faded out
@@ -108,14 +109,14 @@ class BedLight:
 
         # Depth 0 and DEEPEST are at the centres of the first and last texels.
         along, half = (TEXELS - 1) / TEXELS / DEEPEST, 0.5 / TEXELS
-        generate((0.0, -along, 0.0, level * along + half), (0.0, 0.0, 0.0, 0.5))
+        generate_by_planes((0.0, -along, 0.0, level * along + half), (0.0, 0.0, 0.0, 0.5))
 
     @staticmethod
     def _lay_net() -> None:
         """Let the active unit lay its texture over the ground."""
         gl.glEnable(gl.GL_TEXTURE_2D)
         slant = SLANT * REPEAT
-        generate((REPEAT, slant, 0.0, 0.0), (0.0, slant, REPEAT, 0.0))
+        generate_by_planes((REPEAT, slant, 0.0, 0.0), (0.0, slant, REPEAT, 0.0))
 
     def lay(self, frame: Frame) -> None:
         """Set the units for what is drawn next, beside those of the ground."""
@@ -130,12 +131,3 @@ class BedLight:
         self._list.release()
         self._film.release()
         self._fade.release()
-
-
-def generate(*planes: tuple[float, float, float, float]) -> None:
-    """Let the active unit generate s and t from the place in the world, by two planes."""
-    for name, plane in zip("ST", planes, strict=True):
-        coordinate = getattr(gl, f"GL_{name}")
-        gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_OBJECT_LINEAR)
-        gl.glTexGenfv(coordinate, gl.GL_OBJECT_PLANE, np.array(plane, np.float32))
-        gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))

@@ -10,6 +10,7 @@ import numpy as np
 from PIL import Image
 
 from landscape.geometry.height_field import HeightField
+from landscape.geometry.ramp import ramp
 
 # All chosen.
 COARSE = 256  # side of the reduced rock pattern
@@ -54,11 +55,6 @@ def enlarged(values: np.ndarray, side: int) -> np.ndarray:
     return np.asarray(image.resize((side, side), Image.Resampling.BICUBIC, box))
 
 
-def ramp(low: float, high: float, values: np.ndarray) -> np.ndarray:
-    """Return 0 at ``low`` and 1 at ``high``, linear between; ``low`` may exceed ``high``."""
-    return np.asarray(np.clip((values - low) / (high - low), 0.0, 1.0))
-
-
 def weathered(
     colours: np.ndarray, turf: np.ndarray, field: HeightField, rock: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -69,10 +65,11 @@ def weathered(
     land = Land(field, len(colours))
     bare = 1.0 - turf[..., 0] / np.float32(255.0)
     stony = ramp(*STEEP, land.slope) * (0.25 + 0.75 * bare) * ramp(-0.15, -0.02, land.above)
-    at = np.nonzero(stony > 0.02)
+    rows, columns = np.nonzero(stony > 0.02)
+    at = rows, columns
 
     factor = np.ones((*stony.shape, 3), np.float32)
-    relief = land.relief(rock, *at)
+    relief = land.relief(rock, rows, columns)
     factor[at] = np.clip(1.0 + stony[at] * relief, DARKEST, LIGHTEST)[:, None]
     flat = bare * ramp(0.3, 0.15, land.slope)
     for tide in TIDES:
