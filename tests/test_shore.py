@@ -1,5 +1,7 @@
 """The shore's colours: no land shows the colours of the sea floor."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from stage import Stage
@@ -74,3 +76,21 @@ def test_the_ground_of_2006_is_drawn_as_painted(stage: Stage, plain: Assets) -> 
     x = z = np.array([12.0, 20.0])
     assert (ground.drawn_colour(x, z) == ground.colour(x, z)).all()
     ground.release()
+
+
+def test_the_colours_in_the_cache_are_those_of_the_heights_between_the_vertices(
+    stage: Stage, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small = {"ground.texture_size": 512, "ground.tiles": 1, "ground.resolution": 50}
+
+    def colours(exact: bool, cache: str) -> np.ndarray:
+        monkeypatch.setenv("LANDSCAPE_CACHE", cache)
+        settings = with_settings(preset("best"), {**small, "ground.exact_height": exact})
+        ground = Terrain(settings, Assets(), direction(settings.sun))
+        drawn = ground._drawn.copy()
+        ground.release()
+        return drawn
+
+    bilinear, exact = (colours(exact, str(tmp_path)) for exact in (False, True))
+    assert (bilinear != exact).any()
+    assert (exact == colours(True, "")).all()

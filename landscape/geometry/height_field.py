@@ -58,6 +58,12 @@ class HeightField:
     water_level: float
     exact: bool = False
 
+    @property
+    def made_from(self) -> tuple[str, bytes]:
+        """All that a query depends on, for the cache of what is computed from the heights."""
+        how = repr((self.heights.shape, self.size, self.water_level, self.exact))
+        return how, self.heights.tobytes()
+
     def terrain_height(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
         """Return the ground's height at x, z in units, the sea floor included; clamped outside."""
         n = len(self.heights)

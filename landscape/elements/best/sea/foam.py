@@ -218,8 +218,7 @@ def shore_wash(field: HeightField) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
         distance, slope = shore_map(field)
         return distance.astype(np.float32), averaged(spread(slope, SMOOTH)).astype(np.float32)
 
-    what = repr((field.size, field.water_level, field.heights.shape, field.exact))
-    distance, slope = recall(["foam", what, field.heights.tobytes()], make)
+    distance, slope = recall(("foam", *field.made_from), make)
     along, some = np.linspace(0.0, ENDS, 500), np.array(STEEP)
     swell, _, edge = wash(along * widths(some), some)
     apart = np.maximum(distance - last_foam(along, swell, edge) * widths(slope), -ASHORE - distance)

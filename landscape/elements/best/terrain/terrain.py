@@ -128,9 +128,8 @@ class Terrain(Ground):
 
     def _low_stretch(self) -> np.ndarray:
         """Return the details' texture coordinates, (n*n, 2), that keep their scale on slopes."""
-        what = repr((self.field.size, self.field.heights.shape))
-        made_from: list[bytes | str] = ["low stretch", what, self.field.heights.tobytes()]
-        return recall(made_from, lambda: (low_stretch_uv(self.field),))[0]
+        what = "low stretch", *self.field.made_from
+        return recall(what, lambda: (low_stretch_uv(self.field),))[0]
 
     def _with_shore(self, ground: GroundSettings, assets: Assets) -> np.ndarray:
         """Return the large colours with those of the shore where it is drawn, see shore.py."""
@@ -138,15 +137,15 @@ class Terrain(Ground):
             return self.large  # made from the heights as they are drawn
         field, files = self.field, (ground.large_texture, ground.height_image)
         scales = ground.scale_x, ground.scale_y, ground.scale_z
-        places = repr((ground.resolution, scales, field.water_level, self.large.shape))
+        places = repr((ground.resolution, scales, self.large.shape))
 
         def make() -> tuple[np.ndarray, np.ndarray]:
             image = laid_over(read_heights(assets.path(ground.height_image)), ground)
             painted = image / 256.0 * ground.scale_y
             return moved_shore(self.large, painted, field, ground.resolution)
 
-        what: list[bytes | str] = ["shore", places, field.heights.tobytes()]
-        texels, colours = recall([*what, *assets.contents(*files)], make)
+        what = "shore", places, *field.made_from
+        texels, colours = recall((*what, *assets.contents(*files)), make)
         drawn = self.large.copy()
         drawn.reshape(-1, 3)[texels] = colours
         return drawn
@@ -174,18 +173,15 @@ class Terrain(Ground):
             return np.concatenate([colours, turf], axis=2), found
 
         field = self.field
-        what = repr((repeat, ground.weathered, ground.verdure, field.water_level, field.size))
-        heights = field.heights.tobytes()
-        painted, self._turf = recall(
-            [*map(content, patterns), large.tobytes(), heights, what], make
-        )
+        what = repr((repeat, ground.weathered, ground.verdure)), *field.made_from
+        painted, self._turf = recall((*what, *map(content, patterns), large.tobytes()), make)
         return painted
 
     def _dampened(self, painted: np.ndarray) -> np.ndarray:
         """Return the colours, darker along the shore, see wet.py."""
         field, side = self.field, len(painted)
-        what = repr((field.size, field.water_level, field.heights.shape, field.exact, side))
-        found = recall(["wet", what, field.heights.tobytes()], lambda: wet_texels(field, side))
+        what = "wet", str(side), *field.made_from
+        found = recall(what, lambda: wet_texels(field, side))
         return dampened(painted, *found)
 
     @classmethod
