@@ -209,3 +209,24 @@ def test_blocks_are_what_is_translated() -> None:
         ("| ", "| C | D |"),
         ("```", "| fig35a | -3.9 |"),
     ]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_document_shows_only_pictures_that_the_site_has(language: str, site: Any) -> None:
+    kept = {path.stem for path in site.gallery.pictures()}
+    beside = {path.name for path in site.documents.pictures()}
+    for name, text in site.documents.pages(language).items():
+        for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", text):
+            folder, _, file = target.rpartition("/")
+            stem, _, suffix = file.rpartition(".")
+            assert (
+                file in beside
+                if not folder
+                else (folder, suffix) == ("../pictures", "webp") and stem in kept
+            ), f"{name}: {target}"
+
+
+def test_each_document_with_a_translation_is_on_the_site(site: Any) -> None:
+    catalogues = TESTS.parent / "landscape" / "locale" / "fr" / "docs"
+    translated = {path.stem for path in catalogues.glob("*.po")} - {"README"}
+    assert translated == {*site.documents.ALL}

@@ -8,8 +8,8 @@ from framelens.base.texts import translator
 from landscape.course.pages import BY_CELL, as_markdown, blocks, by_cell
 
 ROOT = Path(__file__).resolve().parents[2]
-TEACHING = ("lecture", "exercises", "glut", "sheet")  # for who gives the course
-TOOLS = ("frame", "gate", "programs")  # how the frame is laid open
+TEACHING = ("course", "lecture", "exercises", "glut", "sheet")  # for who gives the course
+TOOLS = ("frame", "gate", "programs", "black", "why", "films")  # how the frame is laid open
 BUILT = (
     *("reading", "documents", "errata", "performance"),
     *("voxels", "flyover", "environments", "assets"),
@@ -32,7 +32,8 @@ def pages(language: str) -> dict[str, str]:
         translate = translator(language, f"docs/{name}")
         translate = by_cell(translate) if name in BY_CELL else translate
         text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
-        found[f"documents/{name}"] = _without_outside(as_markdown(blocks(text, translate)))
+        page = as_markdown(blocks(text, translate))
+        found[f"documents/{name}"] = _without_outside(_with_pictures(page))
 
     lists = {
         "teaching": (
@@ -61,6 +62,11 @@ def pages(language: str) -> dict[str, str]:
         )
 
     return found
+
+
+def _with_pictures(text: str) -> str:
+    """Return Markdown in which pictures of the gallery are those that the site has of them."""
+    return re.sub(r"\]\(\.\./screenshots/(?:\w+/)*(\w+)\.\w+\)", r"](../pictures/\1.webp)", text)
 
 
 def _without_outside(text: str) -> str:
