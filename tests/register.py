@@ -13,7 +13,7 @@ from landscape.course.pages import blocks, cells
 
 ROOT = TESTS.parent
 PAGE = ROOT / "docs" / "documents.md"
-STATES = ("whole", "partly", "other", "not built")
+STATES = ("whole", "built otherwise", "not built")
 SIZE = "96x72"  # of the pictures of a test
 _SECTION = re.compile(r"(\d)\. ")
 _CODE = re.compile(r"`([^`]+)`")

@@ -332,3 +332,50 @@ def test_a_trace_names_the_shadow_s_calls(stage, hall) -> None:
         hall.draw(Moment(AT_WALL, SIZE))
     own = [call.name for call in recorder.calls if call.element == "shadow"]
     assert own.count("glMultMatrixf") == 2 and "glPolygonOffset" in own
+
+
+def test_a_lamp_that_is_no_point_has_a_soft_shadow_as_dark_within_and_none_outside(
+    stage: Stage, hall: Hall
+) -> None:
+    def left(**changed: Any) -> np.ndarray:
+        shadow = {f"shadow.{name}": value for name, value in changed.items()}
+        lit, shaded = (
+            drawn(stage, hall, AT_FLOOR, {**shadow, "shadow.enabled": on}) for on in (False, True)
+        )
+        bright = lit.min(axis=2) > 30
+        return np.where(bright, shaded.sum(axis=2) / np.maximum(lit.sum(axis=2), 1), np.nan)
+
+    hard, soft = left(), left(lamp=0.03)
+    edge = [((each > 0.55) & (each < 0.95)).sum() for each in (hard, soft)]
+    assert edge[1] > 300 and edge[0] < edge[1] / 10, edge
+    inside = soft < 0.55
+    assert inside.sum() > 200 and (hard[inside] < 0.6).all()
+    assert (soft[hard > 0.95] >= 0.5).all()
+    assert ((hard > 0.95) & (soft > 0.95)).sum() > 1000
+
+
+def test_a_torch_that_was_moved_throws_the_statue_s_shadow_on_the_plinth(
+    stage: Stage, hall: Hall
+) -> None:
+    moved = {"shadow.casters": "all", "shadow.flame": (1.33, 0.72, 0.72)}
+    above = Pose(plan.STATUE[0], 0.6, plan.STATUE[1] + 0.12, 0.0, -80.0)
+    with_it, without = (
+        drawn(stage, hall, above, {**moved, "shadow.enabled": on}) for on in (True, False)
+    )
+    darker = with_it.sum(axis=2) < 0.8 * without.sum(axis=2)
+    (x, z), top = plan.STATUE, plan.PLINTH[1]
+    corners = ((-0.15, 0.1), (0.15, 0.1), (0.15, 0.15), (-0.15, 0.15))
+    places = [project(above, (x + east, top, z + south), FOV) for east, south in corners]
+    low, high = np.min(places, axis=0).astype(int), np.max(places, axis=0).astype(int)
+    assert darker[low[1] : high[1] + 1, low[0] : high[0] + 1].sum() > 20
+
+
+def test_only_the_top_of_the_plinth_receives(stage: Stage, hall: Hall) -> None:
+    moved = {"shadow.casters": "all", "shadow.flame": (1.6, 0.72, 1.75)}
+    side = Pose(plan.STATUE[0], 0.05, 1.75, 0.0, 0.0)
+    with_it, without = (
+        drawn(stage, hall, side, {**moved, "shadow.enabled": on}) for on in (True, False)
+    )
+    x, y = project(side, (plan.STATUE[0] + 0.1, 0.05, plan.STATUE[1] + plan.PLINTH[0]), FOV)
+    around = np.s_[round(y) - 2 : round(y) + 3, round(x) - 2 : round(x) + 3]
+    assert (with_it[around] == without[around]).all()

@@ -19,7 +19,9 @@ from landscape.elements.best.meadow.sward import (
     GREEN_KINDS,
     LOOKS,
     STANDING,
+    WIDEST,
     card_corners,
+    card_scale,
     covered,
     kinds_at,
     mean_colours,
@@ -28,6 +30,7 @@ from landscape.elements.best.meadow.sward import (
     tallness,
     texture_coordinates,
 )
+from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
@@ -254,3 +257,9 @@ def test_what_is_half_transparent_covers_half_of_each_pixel_without_a_pattern(st
         stage.target.bind()
     assert (picture == picture[0, 0]).all()
     assert 60 < picture.max() < 200
+
+
+def test_a_card_is_never_wider_than_its_picture_though_a_blade_may_be() -> None:
+    scale = preset("best").grass.scale
+    assert card_scale(scale) == scale
+    assert card_scale((2.4, 1.0)) == (WIDEST, 1.0)

@@ -76,11 +76,12 @@ VIEW_TEXTS: dict[str, dict[str, tuple[str, str]]] = {
             "mirrors is a cube map of the hall.",
         ),
         "hall_one_floor": (
-            "a golden dragon on its plinth, the shadow of its neck and head on the floor before it",
+            "a golden dragon on its plinth, the shadow of neck and horns on the floor before it",
             "One lamp, which hangs behind the dragon, throws the shadows of dragon, pillars and "
-            "torches onto the floor that mirrors them. In a walk, drag with the right mouse "
-            "button: the lamp goes around the dragon, up and down. Here the sun shines on the "
-            "plinth alone, not on the floor.",
+            "torches onto the plinth and the floor that mirrors them. The lamp is no point: a "
+            "shadow is the softer the farther away what casts it is. In a walk, drag with the "
+            "right mouse button: the lamp goes around the dragon, up and down. Here no sun shines "
+            "on plinth and floor.",
         ),
         "hall_ball": (
             "a ball of silver that mirrors a vaulted hall with windows, pillars and a door",

@@ -23,7 +23,7 @@ from landscape.hall.flight import Flight
 from landscape.hall.mirror import Mirror
 from landscape.hall.mist import Mist
 from landscape.hall.moving_sky import MovingSky
-from landscape.hall.planar_shadow import PlanarShadow, on_floor, on_north
+from landscape.hall.planar_shadow import PlanarShadow, on_floor, on_north, on_plinth
 from landscape.hall.pool import Pool
 from landscape.hall.room import Room
 from landscape.hall.safeguards import SAFEGUARDS
@@ -191,6 +191,7 @@ class Hall(Ground):
         with self._marking(frame):
             self.elements.draw("statue", frame)
         self._shade_wall(frame)
+        self._shade_plinth(frame)
         self.elements.draw("sky", frame)
         if frame.mirrored:
             self.elements.draw("torches", frame)
@@ -287,15 +288,24 @@ class Hall(Ground):
         elif shadow:
             shadow.darken(frame, on_north(self.room.send_north))
 
+    def _shade_plinth(self, frame: Frame) -> None:
+        """Draw on the plinth's top the shadows of a torch that was moved."""
+        if frame.mirrored:
+            return  # from under the floor the top is not seen
+        shadow, values = self._shading("room"), self.settings.shadow
+        if shadow and not shadow.relights and values.casters == "all":
+            shadow.darken(frame, on_plinth(self.room.send_plinth_top))
+
     def _shading(self, where: str) -> PlanarShadow | None:
         """Return the statue's shadows if they show there, on the floor or on the room's wall."""
         shown = {"shadow", "statue", where} <= self.shown and self.settings.shadow.enabled
         return self.elements.get(PlanarShadow) if shown else None
 
-    def _cast(self, frame: Frame, light: str) -> None:
+    def _cast(self, frame: Frame, light: str, receiver: str) -> None:
         """Send what casts a light's shadows: statue and plinth, perhaps pillars and torches."""
         self.elements[Statue].send_shadowing(frame)
-        self.room.send_plinth()
+        if receiver != "plinth":
+            self.room.send_plinth()
         if self.casters and light == "torch" and self.settings.shadow.casters == "all":
             self.casters.send()
 

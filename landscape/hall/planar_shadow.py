@@ -7,12 +7,15 @@ the receiver, is first marked in the stencil buffer (RECEIVER): drawn without co
 passes. Then, by ``shadow.method``:
 - darken: the flattened statue blends black over marked pixels, and clears each mark as it does. It
   takes away a fraction of all light, and of what a polished floor mirrors. Where a mark is left,
-  ``shadow.shine`` brightens the floor: so a torch that was moved lights what is around it.
+  ``shadow.shine`` brightens the surface: so a torch that was moved lights what is around it. With
+  ``shadow.lamp`` the torch is not a point: each of POINTS places of its flame takes its share away,
+  so that the edge is the softer the farther away what casts it is.
 - relight: the flattened statue only sets a bit of its light in the stencil buffer. Each part of the
   receiver, by its bits, is then drawn with the light map that lacks just these lights.
 What casts them is the statue on its plinth and, by the torch alone and with ``shadow.casters=all``,
 the pillars and the other torches (casters.py): the light map has their shadows of a torch on its
-stand, but the torch may be moved (``shadow.flame``, in a walk by the mouse).
+stand, but the torch may be moved (``shadow.flame``, in a walk by the mouse). What a moved torch
+darkens is the plinth's top as well, whose light map has only the shadow by the sun.
 State used: modelview, stencil bits RECEIVER and SHADED, blending, polygon offset, depth function
 and mask.
 What is wrong without its safeguards: without ``shadow.stencil`` each layer of the flattened statue
@@ -23,8 +26,8 @@ nearer. Without ``shadow.behind`` the matrix is drawn with both signs, as by a p
 by w' itself and forgets its sign: what is higher than the torch then has an anti-shadow on the
 floor, on the torch's other side; a torch between statue and wall (``shadow.flame``) throws it onto
 the wall upside down; and a sun behind the wall casts shadows onto its inside.
-``shadow.misprint`` draws by the matrix, or by the equation of the plane, as the document prints it.
-A planar shadow has hard edges and falls on planes alone: pillars and vault receive none.
+``shadow.misprint`` draws by the matrix, or the equation of the plane, as the document prints it.
+A planar shadow falls on planes alone: pillars and vault receive none. That of a point is hard.
 """
 
 import math
@@ -43,6 +46,7 @@ from landscape.elements.element import Element
 from landscape.frame import Frame
 from landscape.geometry.planar import misprinted_matrix, shadows_of
 from landscape.hall import plan
+from landscape.hall.exhibits.accumulation import disc
 from landscape.hall.exhibits.picture import Part, part_of_polygon
 from landscape.hall.mirror import FLOOR
 from landscape.hall.settings import Settings, Shadow
@@ -52,6 +56,8 @@ SHADED = {"sun": 4, "torch": 8}  # those of what a light does not reach
 ALL = RECEIVER | sum(SHADED.values())
 FLOOR_PLANE = np.array([0.0, 1.0, 0.0, 0.0])
 NORTH_PLANE = np.array([0.0, 0.0, 1.0, -plan.INSIDE.north])
+PLINTH_PLANE = np.array([0.0, 1.0, 0.0, -plan.PLINTH[1]])
+POINTS = 15  # chosen: of a lamp that is not a point
 OFFSET = -2.0, -4.0  # the document has -2, -1; more units, as the shadow's triangles are long
 MARGIN = 1e-6  # units: shadows lie on the plane but for rounding
 FAR_AWAY = 1e3  # chosen: units, beyond any receiver
@@ -75,6 +81,7 @@ class Receiver(NamedTuple):
     ``send`` sends the triangles that face the viewer.
     """
 
+    name: str
     plane: np.ndarray
     corners: np.ndarray
     send: Callable[[], None]
@@ -84,14 +91,34 @@ def on_floor(send: Callable[[], None]) -> Receiver:
     """Return the floor as a receiver."""
     inside = plan.INSIDE
     corners = [[inside.west, 0.0, inside.north], [inside.east, 0.0, inside.south]]
-    return Receiver(FLOOR_PLANE, np.array(corners), send)
+    return Receiver("floor", FLOOR_PLANE, np.array(corners), send)
 
 
 def on_north(send: Callable[[], None]) -> Receiver:
     """Return the north wall as a receiver."""
     inside = plan.INSIDE
     corners = [[inside.west, 0.0, inside.north], [inside.east, plan.CROWN, inside.north]]
-    return Receiver(NORTH_PLANE, np.array(corners), send)
+    return Receiver("north", NORTH_PLANE, np.array(corners), send)
+
+
+def on_plinth(send: Callable[[], None]) -> Receiver:
+    """Return the top of the plinth as a receiver."""
+    (x, z), (half, top) = plan.STATUE, plan.PLINTH
+    corners = [[x - half, top, z - half], [x + half, top, z + half]]
+    return Receiver("plinth", PLINTH_PLANE, np.array(corners), send)
+
+
+def places(light: np.ndarray, radius: float, count: int) -> np.ndarray:
+    """Return points (``count``, 4) that a lamp around a light (4,) shines from, on a level disc."""
+    found = np.repeat(light[None], count, axis=0)
+    if count > 1:
+        found[:, [0, 2]] += radius * disc(count)
+    return found
+
+
+def has_alpha() -> bool:
+    """Return whether the picture keeps alpha, in which the points of a lamp are counted."""
+    return int(gl.glGetIntegerv(gl.GL_ALPHA_BITS)) > 0
 
 
 def reached(points: np.ndarray, receiver: Receiver, light: np.ndarray) -> np.ndarray | None:
@@ -115,7 +142,7 @@ def reached(points: np.ndarray, receiver: Receiver, light: np.ndarray) -> np.nda
 
 
 def rectangle(ends: np.ndarray, plane: np.ndarray) -> np.ndarray:
-    """Return the corners (4, 3), one after the other, of a rectangle on FLOOR or NORTH_PLANE.
+    """Return the corners (4, 3), one after the other, of a rectangle, level or on NORTH_PLANE.
 
     ``ends`` (2, 3) are two that face each other.
     """
@@ -157,11 +184,11 @@ class PlanarShadow(Element[Settings]):
     """The shadows of what ``cast`` sends."""
 
     def __init__(
-        self, settings: Settings, cast: Callable[[Frame, str], None], box: np.ndarray
+        self, settings: Settings, cast: Callable[[Frame, str, str], None], box: np.ndarray
     ) -> None:
-        """Take the function that sends what casts a light's shadows, and two corners of its box.
+        """Take the function that sends what casts a light's shadows on a receiver.
 
-        The light is "sun" or "torch". The box is that of the statue.
+        The light is "sun" or "torch". ``box`` has two corners of that of the statue.
         """
         self.settings, self._cast = settings, cast
         self._box = corners_of(box)
@@ -198,38 +225,85 @@ class PlanarShadow(Element[Settings]):
 
     def darken(self, frame: Frame, receiver: Receiver) -> None:
         """Darken a receiver that has been drawn where the lights' rays do not reach it."""
+        values = self.settings.shadow
         inside = self._inside(frame)
         with self._shadowing():
             gl.glEnable(gl.GL_BLEND)
-            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            gl.glColor4f(0.0, 0.0, 0.0, self.settings.shadow.strength)
             for name, (light, _) in self.lights(frame, receiver).items():
-                if self.settings.shadow.stencil:
+                if name == "torch" and values.lamp and values.stencil and has_alpha():
+                    self._soften(frame, receiver, inside, light)
+                    continue
+                if values.stencil:
                     self._mark(inside, receiver)
-                    gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
-                    gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_ZERO)
+                    self._pass_marked(inside, gl.GL_ZERO)
                     gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
+                gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+                gl.glColor4f(0.0, 0.0, 0.0, values.strength)
                 self._flatten(frame, receiver, light, name)
-                if name == "torch" and self.settings.shadow.stencil:
+                if name == "torch" and values.stencil:
                     self._shine(inside, receiver, light)
         # In Mesa glPopAttrib does not restore a colour that nothing was drawn with.
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
 
+    def _soften(self, frame: Frame, receiver: Receiver, inside: int, light: np.ndarray) -> None:
+        """Darken a receiver by a lamp that is not a point, of which it may be lit in part.
+
+        Destination alpha counts: each point that does not reach a pixel adds its share. Then one
+        pass takes that fraction of the light away. To darken colours once a point would round them
+        as often, to bands of wrong hues. A walk on a slow machine takes fewer points.
+        """
+        count = max(1, round(POINTS / frame.detail.coarser))
+        self._mark(inside, receiver)
+        gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE)
+        self._shine(inside, receiver, light)
+
+        gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_TRUE)
+        self._cover(inside, receiver, 0.0)
+        for point in places(light, self.settings.shadow.lamp, count):
+            self._mark(inside, receiver)
+            self._pass_marked(inside, gl.GL_ZERO)
+            gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_TRUE)
+            gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
+            gl.glColor4f(0.0, 0.0, 0.0, self.settings.shadow.strength / count)
+            self._flatten(frame, receiver, point, "torch")
+            gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
+
+        self._mark(inside, receiver)
+        self._pass_marked(inside, gl.GL_KEEP)
+        gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_FALSE)
+        gl.glBlendFunc(gl.GL_ZERO, gl.GL_ONE_MINUS_DST_ALPHA)
+        receiver.send()
+        gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_TRUE)
+        self._cover(inside, receiver, 1.0)
+
+    def _cover(self, inside: int, receiver: Receiver, alpha: float) -> None:
+        """Write an alpha where the receiver is marked."""
+        self._pass_marked(inside, gl.GL_KEEP)
+        gl.glBlendFunc(gl.GL_ONE, gl.GL_ZERO)
+        gl.glColor4f(0.0, 0.0, 0.0, alpha)
+        receiver.send()
+
+    @staticmethod
+    def _pass_marked(inside: int, then: int) -> None:
+        """Draw where the receiver is marked, and do with the mark what ``then`` says."""
+        gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
+        gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, then)
+
     def _shine(self, inside: int, receiver: Receiver, light: np.ndarray) -> None:
-        """Brighten the floor around the torch where its mark is left: where no shadow lies.
+        """Brighten what is level around the torch where its mark is left: where no shadow lies.
 
         GL_DST_COLOR, GL_ONE adds what is there to itself, times a texture of the light. The wall is
         bright enough already, by the torch's own bowl.
         """
         strength = self.settings.shadow.shine
-        x, height, z = light[:3].tolist()
+        x, _, z = light[:3].tolist()
+        height = float(receiver.plane @ light)
         if not strength or height <= 0.0 or not receiver.plane[1]:
             return
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
             gl.glBlendFunc(gl.GL_DST_COLOR, gl.GL_ONE)
             gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
-            gl.glStencilFunc(gl.GL_EQUAL, inside | RECEIVER, inside | RECEIVER)
-            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
+            self._pass_marked(inside, gl.GL_KEEP)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._glow().bind()
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
@@ -318,7 +392,7 @@ class PlanarShadow(Element[Settings]):
             # What faces the light has the same shadow as the whole, of half the triangles.
             with matrix(), front_faces():
                 gl.glMultMatrixf(np.ascontiguousarray(signed.T, np.float32))
-                self._cast(frame, name)
+                self._cast(frame, name, receiver.name)
 
     def release(self) -> None:
         """Delete the texture, if there is one; may be called twice."""

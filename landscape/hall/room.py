@@ -31,6 +31,7 @@ from landscape.geometry.mesh import Mesh, merged
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
+from landscape.hall import plan
 from landscape.hall.architecture import hall
 from landscape.hall.kept_meshes import Key, kept_meshes
 from landscape.hall.levels import ALONG, LEVELS, bay_of, level_for, levels_of
@@ -47,6 +48,7 @@ BASIN = ("pool",)
 APART = {(): (1.0, 1.0), ("sun",): (0.0, 1.0), ("torch",): (1.0, 0.0), ("sun", "torch"): (0.0, 0.0)}
 
 BAKED_SUN = direction(Settings().sun).astype(float)
+UNDER_TOP = 0.001  # chosen: units below the plinth's top, above its mouldings
 BARE = (*FLOOR, *BASIN, "plinth")  # drawn on their own; the rest is drawn by bays
 
 
@@ -266,6 +268,14 @@ class Room(Element[Settings]):
     def send_plinth(self) -> None:
         """Send the plinth's triangles as they are."""
         self._send(["plinth"])
+
+    def send_plinth_top(self) -> None:
+        """Send the triangles of the plinth's top that face the viewer: clipped, it has no sides."""
+        with attrib(gl.GL_ENABLE_BIT | gl.GL_TRANSFORM_BIT), front_faces():
+            above = np.array([0.0, 1.0, 0.0, UNDER_TOP - plan.PLINTH[1]])
+            gl.glClipPlane(gl.GL_CLIP_PLANE1, above)
+            gl.glEnable(gl.GL_CLIP_PLANE1)
+            self.send_plinth()
 
     def send_foundation(self) -> None:
         """Send the triangles of floor and basin as they are."""

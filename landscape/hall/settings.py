@@ -184,6 +184,15 @@ class Shadow:
         1,
         needs=("shadow.method=darken", "shadow.stencil", "shadow.light!=sun"),
     )
+    lamp: float = setting(
+        0.0,
+        "chosen",
+        "radius of what the torch shines from; above 0, shadows that darken have soft edges",
+        0,
+        0.2,
+        unit="units",
+        needs=("shadow.method=darken", "shadow.stencil", "shadow.light!=sun"),
+    )
     flicker: float = setting(
         0.004,
         "chosen",

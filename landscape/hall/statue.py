@@ -237,11 +237,13 @@ class Statue(Element[Settings]):
         """Send the mesh that casts the shadows at its place.
 
         A lamp that is carried (``shadow.casters=all``) comes so close that the shadow is much
-        larger than the statue: it needs a finer mesh.
+        larger than the statue: it needs a finer mesh, if its edges are not soft.
         """
+        values = self.settings.shadow
+        carried = values.casters == "all"
         near = frame.pose.z < plan.STATUE[1]  # on the side of the wall that it falls on
-        mesh = self._coarser if near else self._coarsest
-        self._send_scaled(self._finest if self.settings.shadow.casters == "all" else mesh)
+        mesh = self._coarser if near or carried else self._coarsest
+        self._send_scaled(self._finest if carried and not values.lamp else mesh)
 
     def _send_scaled(self, mesh: DisplayList) -> None:
         with matrix():

@@ -15,11 +15,12 @@ STANDING = tuple(name for name in ELEMENTS if name not in HELD)
 
 # One light that can be moved, and a floor that only it shines on.
 ONE_LAMP: dict[str, Value] = {
-    "shadow.flame": (1.33, 0.73, 0.6),
+    "shadow.flame": (1.33, 0.72, 0.72),
+    "shadow.lamp": 0.014,
     "shadow.light": "torch",
     "shadow.casters": "all",
     "shadow.method": "darken",
-    "shadow.strength": 0.62,
+    "shadow.strength": 0.75,
     "shadow.shine": 1.0,
     "shadow.sunlit": False,
     "mirror.strength": 0.4,

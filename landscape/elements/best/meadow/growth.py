@@ -347,7 +347,7 @@ class Growth:
         size = 0.80 + 0.85 * lots["size"] ** 3  # most are small, a few tall
         tall = 1.0 + grass.variety * (sward.tallness(x, z) * size - 1.0)
         corners *= (tall[tuft] * between(0.6, 1.25, lots["height"]))[:, None, None]
-        vertices = blade_vertices(positions, corners, grass.scale)
+        vertices = blade_vertices(positions, corners, sward.card_scale(grass.scale))
         tints = np.full((len(positions), 5, 4), 255, np.uint8)
         if grass.tinted:
             feet, tops = self._card_colours(sown, kinds)

@@ -47,6 +47,7 @@ from landscape.elements.best.meadow.sward import (
     WIDE_FROM,
     WIDENED,
     WIDENING,
+    card_scale,
     mean_colours,
     most_widened,
     sward_levels,
@@ -287,7 +288,8 @@ class Meadow(Element[Settings]):
         """
         grass, places = self.settings.grass, patch.places
         columns = np.array(patch.columns)
-        wind = blade_wind(frame.kt, places.T, grass.scale[0]).T
+        across = card_scale(grass.scale)[0] if grass.sward else grass.scale[0]
+        wind = blade_wind(frame.kt, places.T, across).T
         if grass.gusts:
             wind = wind + gusts(frame.kt, places[0], places[2], grass.gusts)
         for vertex, fraction in WIND:

@@ -20,6 +20,7 @@ GREEN_KINDS = 5  # kinds 0 to 4 are tinted: three sheaves, broad blades, and the
 FLOOR = 4  # the kind that fills the ground between the others, in the ground's own colour
 STANDING = 8  # kinds below this are grass, the others flowers
 SPREAD = 2.60  # chosen: a card's shoulders are so many times as wide as its foot
+WIDEST = 0.25  # chosen: of cards, their width by their height
 SHOULDER = 0.62  # chosen: how high they are, as a fraction of the height of a sheaf
 NEARER = 0.50  # chosen: a card shows several blades, so all are drawn only up to NEARER * NEAR
 THINNING = 1.6  # chosen: near by cards hide each other, far away they must not become too few
@@ -150,6 +151,15 @@ def card_corners(angles: np.ndarray, kinds: np.ndarray, lean: np.ndarray) -> np.
     middle = low[:, None] * up + (low**1.6)[:, None] * bend
     foot = side / SPREAD
     return np.stack([-foot, foot, middle - side, middle + side, up + bend], axis=1)
+
+
+def card_scale(scale: tuple[float, ...]) -> tuple[float, float]:
+    """Return the scale (sx, sy) of cards for that of blades: sx is WIDEST times sy at most.
+
+    A card is a picture of many blades. As wide as a single blade may be, it would be a streak.
+    """
+    across, up = scale
+    return min(across, WIDEST * up), up
 
 
 def waves(x: np.ndarray, z: np.ndarray, k: float, number: int) -> np.ndarray:
