@@ -46,7 +46,9 @@ class Site:
 
 
 class Compiled(Protocol):
-    """A display list, as a recording knows it."""
+    """A display list, as a recording knows it; ``glu`` are the calls of GLU that compiled it."""
+
+    glu: "list[GluCall]"
 
     def calls(self) -> "list[Call]":
         """Return the calls that it was compiled from."""
@@ -130,7 +132,7 @@ class Call:
 class GluCall:
     """A call of GLU, and which calls of OpenGL it made: those from ``begin`` up to ``end``.
 
-    They count the calls of the recording. Calls made for a display list are not noted.
+    They count the calls of the recording, or of the display list that is being compiled.
     """
 
     name: str

@@ -75,11 +75,14 @@ class Listing:
         self.site = site
         self.element = element
         self.occurrence = occurrence
+        self.glu: list[GluCall] = []
+        self.length = 0  # how many calls are noted
         self._notes: list[Any] = []
         self._calls: list[Call] | None = None
 
     def note(self, name: str, args: tuple[Any, ...], where: tuple[Any, ...]) -> None:
         """Add a call; ``where`` holds the next fields of a Call, as many as FIELDS."""
+        self.length += 1
         self._notes += (name, len(args), *args, *where)
 
     def calls(self) -> list[Call]:
@@ -96,6 +99,7 @@ class Listing:
     def put(self, calls: list[Call]) -> None:
         """Note that the list has been compiled again, from these calls."""
         self._calls = calls
+        self.length = len(calls)
 
 
 Lists = dict[int, Listing]
@@ -119,6 +123,11 @@ class Recorder:
         self.glu: list[GluCall] = []
         self.before: Callable[[Call], None] | None = None
         self.after: Callable[[Call], None] | None = None
+
+    @property
+    def length(self) -> int:
+        """How many calls are recorded."""
+        return len(self.calls)
 
     def add(self, call: Call) -> Call:
         """Add a call that is about to be made."""
@@ -438,17 +447,17 @@ class Seam:
 
         def called(*args: Any, **named: Any) -> Any:
             state = self.state
-            if state.recorder is None or state.open_list is not None:
+            if state.recorder is None:
                 return function(*args, **named)
-            calls = state.recorder.calls
+            noted = state.open_list or state.recorder
             site = caller(sys._getframe(1))
             values = (*args, *named.values())
-            note = GluCall(name, values, site, state.pass_, len(calls), len(calls))
-            state.recorder.glu.append(note)
+            note = GluCall(name, values, site, state.pass_, noted.length, noted.length)
+            noted.glu.append(note)
             try:
                 return function(*args, **named)
             finally:
-                note.end = len(calls)
+                note.end = noted.length
 
         called.__name__, called.__doc__ = name, function.__doc__
         return called

@@ -1,11 +1,20 @@
 """A frame of any PyOpenGL program on tape."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, TextIO, TypeVar
 
-from framelens.gl.seam import Call, begin_pass, edited, frame_begins, outermost, recording, unnoted
+from framelens.gl.seam import (
+    Call,
+    GluCall,
+    begin_pass,
+    edited,
+    frame_begins,
+    outermost,
+    recording,
+    unnoted,
+)
 from framelens.program.past import Past, Setters, chains_of
 from framelens.program.program import run
 from framelens.program.program_run import Window
@@ -111,7 +120,7 @@ class _Taping(ExitStack):
             self._notices.append(f"{self._path}: has called nothing of OpenGL through PyOpenGL")
         told = [
             *shown_otherwise(self._window, calls, self._begin),
-            *without_effect(self._recorder.glu),
+            *without_effect([*self._recorder.glu, *_in_lists(calls[self._begin :])]),
         ]
         self._notices += [f"{self._path}: {text}" for text in dict.fromkeys(told)]
 
@@ -136,6 +145,14 @@ class _Taping(ExitStack):
             return state.read()
         except state.StateError:
             return {}  # without fixed function there is none to be read
+
+
+def _in_lists(calls: Sequence[Call]) -> Iterator[GluCall]:
+    """Yield the calls of GLU in the display lists that calls execute."""
+    for call in calls:
+        for listing in call.executed:
+            yield from listing.glu
+            yield from _in_lists(listing.calls())
 
 
 class _Following(_Taping):

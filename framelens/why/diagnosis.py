@@ -138,9 +138,12 @@ def suspects_of(found: Survey) -> list[Suspect]:
     """Return what all rules suspect, the likeliest first."""
     suspects: list[Suspect] = []
     error = found.past.error if found.past else None
+    drawn = -1
     for rule in RULES if error is None else BROKEN_OFF:
         try:
-            found.tape.rewind()
+            if drawn != found.trial.times:
+                found.tape.rewind()
+                drawn = found.trial.times
             suspects += list(rule(found))
         except (ValueError, TypeError, IndexError, KeyError, np.linalg.LinAlgError):
             if DEBUG:
@@ -277,6 +280,8 @@ def _cause(found: Survey, suspect: Suspect, pixels: int) -> Cause:
         number = suspect.draws[0].number
         source = source or suspect.draws[0].call.source
 
+    if number >= found.tape.begin:
+        number = int(found.place_of(number).partition(".")[0])
     values = {"state": suspect.state, "value": suspect.value, **suspect.values}
     return Cause(
         suspect.cause,

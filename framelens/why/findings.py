@@ -161,6 +161,9 @@ CAUSES: Texts = {
     "aspect-zero.mend": "write width / height, with one stroke",
     "no-effect": "{call} has no effect: with these numbers there is no projection.",
     "no-effect.mend": "give an angle between 0 and 180, and a near plane unlike the far one",
+    "glu-nothing": "{call} draws nothing: GLU needs a positive size, at least 2 slices and 1 "
+    "stack.",
+    "glu-nothing.mend": "give it a positive size, and 16 slices and stacks for instance",
     "fovy-radians": "gluPerspective wants degrees: {fovy} is an angle of view of {fovy} degrees.",
     "fovy-radians.mend": "write {degrees}",
     "perspective": "{call} makes no view that one can look through.",
@@ -291,6 +294,9 @@ CAUSES: Texts = {
     "is never called.",
     "list-unknown.mend": "call the list that was made",
     # Colours and letters.
+    "list-not-called": "Display list {list} is compiled, and never called: what it holds is not "
+    "drawn.",
+    "list-not-called.mend": "call glCallList({list}) in each frame, after glClear",
     "color-range": "{call}: this colour goes from 0 to 1, and all above is 1.",
     "color-range.mend": "write glColor3ub, or divide by 255",
     "color-range-bytes": "{call}: this colour goes from 0 to 255, so this is nearly black.",

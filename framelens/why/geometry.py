@@ -334,8 +334,9 @@ def placed(found: Vertices, modelview: Any, projection: Any) -> Placed:
             "far": clip[:, 2] > w,
         }
 
+    groups = _by_size(found.faces[:MOST_FACES])
     whole = {
-        name: sum(bool(np.all(flags[face])) for face in found.faces[:5000])
+        name: sum(int(flags[faces].all(axis=1).sum()) for faces in groups)
         for name, flags in out.items()
     }
     return Placed(
@@ -345,9 +346,20 @@ def placed(found: Vertices, modelview: Any, projection: Any) -> Placed:
         whole,
         int((eye[:, 2] > 0).sum()),
         len(eye),
-        min(len(found.faces), 5000),
+        min(len(found.faces), MOST_FACES),
         bool(np.isfinite(clip).all()),
     )
+
+
+MOST_FACES = 5000  # primitives of a draw that are looked at; chosen
+
+
+def _by_size(faces: list[list[int]]) -> list[np.ndarray]:
+    """Return faces as arrays of indices, (n, corners): one for each number of corners."""
+    sizes: dict[int, list[list[int]]] = {}
+    for face in faces:
+        sizes.setdefault(len(face), []).append(face)
+    return [np.array(alike) for alike in sizes.values()]
 
 
 def crossed_faces(found: Vertices) -> list[int]:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from framelens.gl.seam import Call, gl
+from framelens.spec.spec import draws
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import Suspect, written
 from framelens.why.trial import Change
@@ -380,7 +381,8 @@ def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
 
 
 def lists(survey: Survey) -> Iterator[Suspect]:
-    """A glCallList of a list that is empty or does not exist."""
+    """A glCallList of a list that is empty or does not exist, or a list that nothing calls."""
+    yield from _not_called(survey)
     for call in survey.calls:
         if call.name != "glCallList" or call.listed:
             continue
@@ -398,14 +400,32 @@ def lists(survey: Survey) -> Iterator[Suspect]:
         return
 
 
+def _not_called(survey: Survey) -> Iterator[Suspect]:
+    """Yield that a frame draws nothing, and calls none of the lists that were compiled."""
+    if survey.shapes or not survey.calls:
+        return
+    compiled = {int(c.args[0]): c for c in survey.tape.calls if c.name == "glNewList"}
+    last = survey.calls[-1]
+    waiting = [n for n, calls in survey_lists(survey).items() if any(draws(c.name) for c in calls)]
+    for number in waiting[:3]:
+        yield Suspect(
+            "list-not-called",
+            at=compiled[number],
+            change=Change(after={str(last.number): [("glCallList", (number,))]}),
+            strength=75,
+            state="GL_LIST_BASE",
+            value=number,
+            values={"list": number},
+        )
+
+
 def survey_lists(survey: Survey) -> dict[int, Any]:
     """Return the display lists that the tape compiles and never calls, with their calls."""
-    called = {int(c.args[0]) for c in survey.calls if c.name == "glCallList"}
     found = {}
     for call in survey.tape.calls:
         if call.name == "glNewList" and call.compiled is not None:
             number = int(call.args[0])
-            if number not in called:
+            if number not in survey.called:
                 found[number] = call.compiled.calls()
     return found
 

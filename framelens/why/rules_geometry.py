@@ -47,6 +47,7 @@ def glu_function(name: str) -> Any:
 
 def shapes(survey: Survey) -> Iterator[Suspect]:
     """Shapes that are wrong by themselves."""
+    yield from _of_nothing(survey)
     yield from _too_few(survey)
     for draw in survey.shapes:
         found = draw.vertices
@@ -62,6 +63,34 @@ def shapes(survey: Survey) -> Iterator[Suspect]:
             yield _crossed(survey, draw, found, bad)
         elif bad := concave(found):
             yield _concave(survey, draw, found, bad)
+
+
+QUADRICS = {"gluSphere": 1, "gluCylinder": 3, "gluDisk": 2, "gluPartialDisk": 2}
+"""GLU's shapes, and how many lengths stand between the quadric and the number of slices."""
+
+
+def _of_nothing(survey: Survey) -> Iterator[Suspect]:
+    """Yield that a shape of GLU has too few slices or a length that is none, and draws nothing."""
+    for note in survey.glu:
+        lengths = QUADRICS.get(note.name)
+        if lengths is None or note.end != note.begin or note.pass_ == "setup":
+            continue
+        quadric, *numbers = note.args
+        sizes = [abs(float(size)) for size in numbers[:lengths]]
+        slices, stacks = (max(int(number), 8) for number in numbers[lengths : lengths + 2])
+        if note.name in ("gluDisk", "gluPartialDisk"):
+            sizes.sort()
+        if not any(sizes):
+            sizes = [1.0] * lengths
+        better = (quadric, *sizes, slices, stacks, *numbers[lengths + 2 :])
+        yield Suspect(
+            "glu-nothing",
+            at=note,
+            change=_instead_of_glu(survey, note, better),
+            strength=88,
+            value=numbers,
+            values={"call": f"{note.name}(..., {', '.join(f'{n:g}' for n in numbers)})"},
+        )
 
 
 def _lacking(draw: Drawn) -> bool:
@@ -576,13 +605,12 @@ def _wiped(survey: Survey) -> Iterator[Suspect]:
 
 def _again_after(survey: Survey, call: Call) -> bool:
     """Return whether a projection is set again after a call, before anything is drawn."""
-    inside = {
-        n for note in survey.glu if note.name in PROJECTING for n in range(note.begin, note.end)
-    }
+    notes = {n: note for note in survey.glu for n in range(note.begin, note.end)}
     for later in survey.tape.calls[call.number + 1 :]:
-        if later.number in inside or later.name in PROJECTING:
+        note = notes.get(later.number)
+        if (note or later).name in PROJECTING:
             return True
-        if later.name.startswith(("glLoadMatrix", "glMultMatrix")):
+        if note is None and later.name.startswith(("glLoadMatrix", "glMultMatrix")):
             return True
         if later.name == "glBegin" or later.name.startswith("glDraw"):
             return False
@@ -1055,12 +1083,14 @@ def _units(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterato
 
 def _beside(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:
     """Yield that a function's transformations are not undone, and push others out of the view."""
+    chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
+    loading = {call.site.function for call in chain if call.name.startswith("glLoad")}
     names = {
         call.site.function
-        for call in mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
+        for call in chain
         if call.number >= survey.tape.begin and isinstance(at_of(survey, call), Call)
     }
-    for name in sorted(names):
+    for name in sorted(names - loading):
         change = _undone(survey, name)
         if change is not None:
             chain = mine[0].setters.chained["GL_MODELVIEW_MATRIX"]

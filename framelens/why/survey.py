@@ -6,8 +6,8 @@ before. Then occlusion queries count, draw by draw, the fragments that pass all 
 that there would be without any test. What set each variable is followed from the frames before on.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +21,7 @@ from framelens.state.state_reading import read_some
 from framelens.tape.primitives import Draw
 from framelens.tape.steps import Step
 from framelens.tape.tape import Tape
+from framelens.why.flat import flattened
 from framelens.why.geometry import Placed, Vertices, array_now, placed, vertices
 from framelens.why.trial import NOTHING, Around, Change, Item, Refused, Trial, changed, counted
 
@@ -129,7 +130,9 @@ class Drawn:
 class Survey:
     """What the rules look at: a frame's draws, its base picture, and what came before it.
 
-    ``pixel`` is the place asked about, from the top left, or None.
+    ``pixel`` is the place asked about, from the top left, or None. ``place_of`` gives the place
+    of a call in the frame as it was recorded, by its number; ``called`` are the display lists that
+    the frame executes.
     """
 
     tape: Tape
@@ -138,8 +141,9 @@ class Survey:
     base: np.ndarray
     draws: list[Drawn]
     calls: Sequence[Call]
-    errors: list[tuple[str, Call, str]] = field(default_factory=list)
-    textures: dict[int, Any] = field(default_factory=dict)
+    errors: list[tuple[str, Call, str]]
+    place_of: Callable[[int], str]
+    called: frozenset[int]
 
     @property
     def past(self) -> Past | None:
@@ -235,6 +239,8 @@ def untested() -> Around:
 
 def survey(tape: Tape, pixel: tuple[int, int] | None) -> Survey:
     """Walk a tape's frame, in its context; ``pixel`` is asked about, from the top left."""
+    flat = flattened(tape)
+    tape = flat.tape
     trial = Trial(tape)
     past = tape.past
     setters = past.setters.copied() if past else Setters()
@@ -261,8 +267,6 @@ def survey(tape: Tape, pixel: tuple[int, int] | None) -> Survey:
         )
         if past:
             found.chain = past.chains.get(found.number, ())
-            if "." in found.place:
-                found.chain += (("list", item.call.site.line),)
 
         if len(draws) < MOST_DRAWS and not found.clears:
             found.vertices = vertices(item.draw)
@@ -306,7 +310,7 @@ def survey(tape: Tape, pixel: tuple[int, int] | None) -> Survey:
     if base is None or (past is not None and past.error is not None):
         # A program that ends in this frame shows none of it.
         base = np.zeros((*tape.size[::-1], 3), np.uint8)
-    found = Survey(tape, trial, pixel, base, draws, tape.frame, errors)
+    found = Survey(tape, trial, pixel, base, draws, tape.frame, errors, flat.place, flat.called)
     passed = trial.counts() or [0] * len(draws)
     covered = trial.counts(Change(around=(untested(),))) or [0] * len(draws)
     for draw, inside, all_ in zip(draws, passed, covered, strict=False):

@@ -56,7 +56,7 @@ def without_trace(tape: Tape) -> set[str]:
         return set()
     found = survey(tape, None)
     try:
-        return {draw.place for draw in found.shapes if draw.changed == 0}
+        return {found.place_of(draw.number) for draw in found.shapes if draw.changed == 0}
     finally:
         found.trial.release()
 
@@ -66,7 +66,11 @@ def lines(found: Survey, language: str) -> Iterator[str]:
     hidden = [draw for draw in found.shapes if not found.seen(draw)]
     for draw in hidden[:MOST]:
         yield _text(
-            language, "draw", place=draw.place, code=as_code(draw.call), source=draw.call.source
+            language,
+            "draw",
+            place=found.place_of(draw.number),
+            code=as_code(draw.call),
+            source=draw.call.source,
         )
         yield "    " + ", ".join(_numbers(draw, language))
     if len(hidden) > MOST:
