@@ -25,6 +25,7 @@ import csv
 import json
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -38,13 +39,14 @@ from why.mistakes import MISTAKES, Mistake
 
 from framelens.base.errors import InputError, NoOpenGLError
 from framelens.base.isolated import Ended, isolated
-from landscape.commands.lesson import copy
 from landscape.course.ladder import lessons
 from landscape.scene.scene import listed_views
 
 ROOT = Path(__file__).resolve().parents[1]
 SECONDS = 120.0  # for a program; chosen
 SLOW = 100  # the frame from which on a lesson takes too long; chosen
+EXERCISES = ROOT / "landscape" / "course" / "exercises"
+IGNORED = shutil.ignore_patterns("__pycache__", "pages")
 SHARE = 4  # kinds of targets: as many random programs as lessons, and so on
 
 Case = TypeVar("Case")
@@ -145,22 +147,23 @@ def sow(options: argparse.Namespace) -> int:
 
 def _sown(mistake: Mistake, dice: random.Random) -> asking.Answer | None:
     """Sow a mistake into a program that it changes; return what is said of it."""
-    known = [each for each in lessons() if each.frame < SLOW]
+    known = [Asked(each.name, str(each.file), each.frame) for each in lessons()]
+    for exercise in sorted(EXERCISES.glob("*/solution.py")):
+        known.append(Asked(f"{exercise.parent.name} (solution)", str(exercise), 0))
     dice.shuffle(known)
-    for lesson in known:
-        source = lesson.file.read_text(encoding="utf-8")
-        if not re.search(mistake.pattern, source):
+    for asked in known:
+        source = Path(asked.path).read_text(encoding="utf-8")
+        if asked.frame >= SLOW or not re.search(mistake.pattern, source):
             continue
         with tempfile.TemporaryDirectory() as folder:
-            copy(lesson, Path(folder))
-            program = Path(folder) / lesson.file.name
+            beside = Path(folder) / "beside"
+            shutil.copytree(Path(asked.path).parent, beside, ignore=IGNORED)
+            program = beside / Path(asked.path).name
             program.write_text(re.sub(mistake.pattern, mistake.replacement, source, count=1))
-            paths = str(lesson.file), str(program)
+            paths = asked.path, str(program)
             everywhere = mistake.everywhere
             try:
-                answer = isolated(
-                    asking.mistaken, *paths, lesson.frame, everywhere, seconds=SECONDS
-                )
+                answer = isolated(asking.mistaken, *paths, asked.frame, everywhere, seconds=SECONDS)
             except (Ended, NoOpenGLError):
                 continue
         if answer is not None:

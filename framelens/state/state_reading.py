@@ -166,19 +166,25 @@ def read_now() -> State:
 def read_some(names: Iterable[str]) -> State:
     """Return those of the variables that are in this context, without the stacks and images."""
     todo, found = plan(), {}
+    by_unit: dict[int, list[tuple[str, Callable[[], Any]]]] = {}
     for name in names:
-        unit, query = todo.single.get(name, (None, None))
-        if query is None:
+        if name not in todo.single:
             continue
+        unit, query = todo.single[name]
         if unit is None:
             found[name] = query()
         else:
-            active, client = whole("GL_ACTIVE_TEXTURE"), whole("GL_CLIENT_ACTIVE_TEXTURE")
-            raw.glActiveTexture(enum(UNITS[unit]))
-            raw.glClientActiveTexture(enum(UNITS[unit]))
-            found[name] = query()
-            raw.glActiveTexture(active)
-            raw.glClientActiveTexture(client)
+            by_unit.setdefault(unit, []).append((name, query))
+    if not by_unit:
+        return found
+
+    active, client = whole("GL_ACTIVE_TEXTURE"), whole("GL_CLIENT_ACTIVE_TEXTURE")
+    for unit, queries in by_unit.items():
+        raw.glActiveTexture(enum(UNITS[unit]))
+        raw.glClientActiveTexture(enum(UNITS[unit]))
+        found.update((name, query()) for name, query in queries)
+    raw.glActiveTexture(active)
+    raw.glClientActiveTexture(client)
     return found
 
 

@@ -6,6 +6,7 @@ the one asked about. Where no change alone does it, the likeliest are tried in p
 in vain is ruled out.
 """
 
+import logging
 import time
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
@@ -22,8 +23,10 @@ from framelens.why import (
     rules_arrays,
     rules_color,
     rules_frames,
-    rules_geometry,
     rules_light,
+    rules_matrices,
+    rules_outside,
+    rules_shapes,
     rules_tests,
     rules_texture,
     rules_window,
@@ -37,7 +40,9 @@ from framelens.why.walk import lines
 RULES: tuple[Rule, ...] = (
     *rules_window.RULES,
     *rules_frames.RULES,
-    *rules_geometry.RULES,
+    *rules_shapes.RULES,
+    *rules_matrices.RULES,
+    *rules_outside.RULES,
     *rules_arrays.RULES,
     *rules_texture.RULES,
     *rules_light.RULES,
@@ -45,7 +50,8 @@ RULES: tuple[Rule, ...] = (
     *rules_tests.RULES,
 )
 # Of a frame that ends with an error: the rest of it is not there to be looked at.
-BROKEN_OFF: tuple[Rule, ...] = (*rules_window.RULES, rules_geometry.unbalanced)
+BROKEN_OFF: tuple[Rule, ...] = (*rules_window.RULES, rules_matrices.unbalanced)
+LOG = logging.getLogger(__name__)
 LIMIT = 8.0  # seconds that the search may take; chosen
 ALWAYS = 4  # suspects that are tried however late it is; chosen
 LEAST = 12  # pixels that must differ for a proof; chosen
@@ -145,15 +151,11 @@ def suspects_of(found: Survey) -> list[Suspect]:
                 found.tape.rewind()
                 drawn = found.trial.times
             suspects += list(rule(found))
-        except (ValueError, TypeError, IndexError, KeyError, np.linalg.LinAlgError):
-            if DEBUG:
-                raise
+        except Exception:  # a rule that stumbles must not keep the others from being asked
+            LOG.debug("a rule has stumbled", exc_info=True)
             _drain()
     suspects.sort(key=lambda suspect: -suspect.strength)
     return suspects
-
-
-DEBUG = False
 
 
 def _diagnosed(

@@ -31,6 +31,9 @@ CAUSES: Texts = {
     "before-context": "{call} is called before there is a context: it has no effect.",
     "before-context.mend": "move this line after {opening}",
     # Calls.
+    "no-end-list": "glEndList is missing: display list {list} takes in all calls that follow, and "
+    "none of them is executed.",
+    "no-end-list.mend": "call glEndList() after the last call of the list, in line {line}",
     "no-end": "A glBegin, in line {begin}, is still open: the glEnd after this line is missing. "
     "OpenGL refuses all other calls until it comes, and the error is reported elsewhere.",
     "no-end.mend": "add glEnd() after the last glVertex, in {function}()",
@@ -59,6 +62,12 @@ CAUSES: Texts = {
     "accumulated": "The matrix is multiplied once more in each frame, {frames} times so far: "
     "nothing loads it before.",
     "accumulated.mend": "call glLoadIdentity() before this call, in each frame",
+    "accum-zero": "{call} takes nothing of the picture into the accumulation buffer: its factor is "
+    "0, as a division of whole numbers (//) gives.",
+    "accum-zero.mend": "write 1 / {n}, with one stroke",
+    "accum-no-return": "Pictures are added up in the accumulation buffer, and never returned to "
+    "the window.",
+    "accum-no-return.mend": "call glAccum(GL_RETURN, 1.0) after the last of them",
     # Tests.
     "alpha-test": "The alpha test ({function}, {reference}) is on and lets nothing of these draws "
     "pass.",
@@ -72,6 +81,10 @@ CAUSES: Texts = {
     "clip-plane.mend": "call glDisable(GL_CLIP_PLANE{plane}) before they are drawn",
     "color-mask": "The colour mask lets no component through.",
     "color-mask.mend": "call glColorMask(True, True, True, True) before the draw",
+    "line-stipple": "The line stipple leaves nothing of these lines.",
+    "line-stipple.mend": "give glLineStipple a pattern such as 0x00FF, or disable GL_LINE_STIPPLE",
+    "logic-op": "GL_COLOR_LOGIC_OP is on, and {operation} leaves the picture as it was.",
+    "logic-op.mend": "call glDisable(GL_COLOR_LOGIC_OP)",
     "stipple": "The polygon stipple leaves nothing of these draws.",
     "stipple.mend": "call glDisable(GL_POLYGON_STIPPLE)",
     "cull-front": "glCullFace({value}) removes the front faces, which are those that one sees.",
@@ -146,6 +159,15 @@ CAUSES: Texts = {
     "nan-matrix.mend": "find the division by 0 that they come from",
     "too-few-vertices": "glBegin({mode}) gets {n} vertices and needs {needed} for one primitive.",
     "too-few-vertices.mend": "give {needed} vertices, or choose another mode",
+    "no-vertices": "glBegin({mode}) gets no vertices: what is to make them makes none.",
+    "no-vertices.mend": "look at the loop between glBegin and glEnd: it never runs",
+    "left-over": "glBegin({mode}) gets {n} vertices, and takes them {size} by {size}: {left} of "
+    "them are not drawn.",
+    "left-over.mend": "give all vertices, or another mode, such as GL_QUADS or GL_TRIANGLE_FAN",
+    "map-not-enabled": "{map} is not enabled: glEvalCoord, in line {line}, makes no vertices.",
+    "map-not-enabled.mend": "call glEnable({map}) after this line",
+    "tiny": "The shape is smaller than a pixel: {extent} pixels.",
+    "tiny.mend": "scale it less, or bring it nearer",
     "zero-scale": "{call} flattens the shape: it has no area.",
     "zero-scale.mend": "write 1 instead of 0",
     "no-area": "All {n} vertices lie on one point or line: the shape has no area.",
@@ -187,6 +209,13 @@ CAUSES: Texts = {
     "line {wiped} wipes it.",
     "projection-on-modelview.mend": "call glMatrixMode(GL_PROJECTION) before it, and "
     "glMatrixMode(GL_MODELVIEW) after it",
+    "camera-wiped": "This glLoadIdentity wipes the camera of {call}, in line {line}.",
+    "camera-wiped.mend": "call glLoadIdentity() before gluLookAt, not after it",
+    "pick-matrix-left": "{call} is still in force in line {line}: a few pixels fill the window.",
+    "pick-matrix-left.mend": "call glPushMatrix() before it, and glPopMatrix() after picking, both "
+    "in the mode GL_PROJECTION",
+    "matrix-zero": "{call} gets a matrix without an inverse: it leaves nothing of the shape.",
+    "matrix-zero.mend": "fill its whole diagonal, the last 1 too",
     "camera-in-projection": "{call} stands in the projection matrix: fog and lighting are computed "
     "as if the camera stood at the origin.",
     "camera-in-projection.mend": "call glMatrixMode(GL_MODELVIEW) before it",
@@ -221,6 +250,10 @@ CAUSES: Texts = {
     "lighting-off.mend": "call glEnable(GL_LIGHTING)",
     "light-far-side": "{light} stands on the far side of what is seen: only ambient light is left.",
     "light-far-side.mend": "put the light on the side of the camera, by its GL_POSITION",
+    "spot": "{light} is a spot light, and its cone of {cutoff} degrees does not meet what is seen.",
+    "spot.mend": "turn GL_SPOT_DIRECTION towards it, or write a larger GL_SPOT_CUTOFF",
+    "attenuation": "{light} fades with the distance, and too fast: {kind} is {value}.",
+    "attenuation.mend": "write a smaller {kind}, or bring the light nearer",
     "light-black": "The diffuse colour of {light} is black.",
     "light-black.mend": "give it a colour: glLightfv({light}, GL_DIFFUSE, (1, 1, 1, 1))",
     "no-normals": "The vertices have no normals ({n} of them): all are lit as if they faced along "
@@ -234,6 +267,11 @@ CAUSES: Texts = {
     "no-color-material": "With GL_LIGHTING the colour of glColor, line {color}, has no effect: "
     "GL_COLOR_MATERIAL is not enabled.",
     "no-color-material.mend": "call glEnable(GL_COLOR_MATERIAL)",
+    "color-material-which": "glColor goes into the material's {parameter} of {face}, not into its "
+    "diffuse colour.",
+    "color-material-which.mend": "call glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE)",
+    "material-face": "The material is set for GL_BACK, and the front faces are seen.",
+    "material-face.mend": "write GL_FRONT or GL_FRONT_AND_BACK",
     "emission-left": "The emission {value} is still set for what is drawn in line {later}, which "
     "glows.",
     "emission-left.mend": "set GL_EMISSION back to black after its use",
@@ -246,6 +284,11 @@ CAUSES: Texts = {
     "unpack-alignment": "A row of the image has {row} bytes ({width} pixels), and OpenGL expects "
     "{padded}: GL_UNPACK_ALIGNMENT is {value}.",
     "unpack-alignment.mend": "call glPixelStorei(GL_UNPACK_ALIGNMENT, 1) before glTexImage2D",
+    "unpack-row-length": "GL_UNPACK_ROW_LENGTH is still {length} in line {line}, and the image's "
+    "rows have {width} pixels.",
+    "unpack-row-length.mend": "call glPixelStorei(GL_UNPACK_ROW_LENGTH, 0) before line {line}",
+    "image-format": "The image has {channels} numbers for each pixel, and OpenGL is told {said}.",
+    "image-format.mend": "write {format} as the format",
     "image-too-small": "The image has {given} bytes, and OpenGL reads {needed}.",
     "image-too-small.mend": "give width, height and format as the image has them",
     "upside-down": "{call} gives the top row first, and OpenGL takes the first row for the lowest: "
@@ -284,6 +327,12 @@ CAUSES: Texts = {
     "dtype": "glBufferData gives {dtype} to a buffer that is read as {type}: other numbers come "
     "out.",
     "dtype.mend": "make the array with dtype=np.{wanted}",
+    "pointer-size": "{call} takes {size} numbers for each vertex, and a row of the array has "
+    "{columns}.",
+    "pointer-size.mend": "write {columns} as its size",
+    "array-left": "GL_COLOR_ARRAY is still enabled in line {line}: the colours come from this "
+    "array, and glColor has no effect.",
+    "array-left.mend": "call glDisableClientState(GL_COLOR_ARRAY) after the draw that it is for",
     "stride": "{call}: the stride is {stride}, and a row of the data has {row} bytes.",
     "stride.mend": "write {right}",
     "index-type": "The indices are {dtype}, and are read as {type}.",
@@ -294,6 +343,9 @@ CAUSES: Texts = {
     "is never called.",
     "list-unknown.mend": "call the list that was made",
     # Colours and letters.
+    "list-base": "glCallLists counts from list {base}, GL_LIST_BASE, and there are no such lists: "
+    "the first one is {first}.",
+    "list-base.mend": "call glListBase({first}) before it",
     "list-not-called": "Display list {list} is compiled, and never called: what it holds is not "
     "drawn.",
     "list-not-called.mend": "call glCallList({list}) in each frame, after glClear",
@@ -342,6 +394,7 @@ FAMILIES: dict[str, str] = {
         ("behind", "beyond-near", "beyond-far", "beside", "no-projection", "not-undone"), "outside"
     ),
     **dict.fromkeys(("light-off", "light-black", "light-far-side", "no-color-material"), "light"),
+    **dict.fromkeys(("spot", "attenuation"), "light"),
 }
 """Causes that exclude each other: of each family only the likeliest is named."""
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from framelens.gl.seam import Call, gl
 from framelens.spec.spec import draws
+from framelens.why.geometry import LEAST, MODES
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import Suspect, written
 from framelens.why.trial import Change
@@ -158,6 +159,16 @@ def _pointer(
         return
 
     stored = buffers.data.get(buffer) if buffer else None
+    alone = sum(1 for _, at in buffers.at[draw.number][0].values() if at == buffer) == 1
+    data = pointer if isinstance(pointer, np.ndarray) else stored[1] if stored and alone else None
+    if data is not None and stride == 0:
+        wrong = _other_size(draw, kind, call, data, size)
+        if wrong is not None:
+            yield wrong
+            return
+    if kind == "GL_COLOR_ARRAY":
+        yield from _color_range(draw, call, data, wanted)
+
     if stored is not None:
         upload, array = stored
         if array.dtype != wanted and array.dtype.fields is None and array.dtype != np.uint8:
@@ -187,6 +198,66 @@ def _pointer(
     elif isinstance(pointer, np.ndarray):
         row = pointer.strides[0] if pointer.ndim > 1 else 0
         yield from _stride(draw, kind, call, 0, stride, row, wanted.itemsize * size)
+
+
+def _other_size(draw: Drawn, kind: str, call: Call, data: np.ndarray, size: int) -> Suspect | None:
+    """Suspect that a pointer takes more or fewer numbers than a row of its array has."""
+    columns = data.shape[-1] if data.ndim == 2 else size
+    if call.name == "glNormalPointer" or columns == size or not 2 <= columns <= 4:
+        return None
+    if columns == 4 and size == 3:
+        return None  # the fourth may be left out on purpose
+    args = (columns, *call.args[1:])
+    return Suspect(
+        "pointer-size",
+        at=call,
+        change=_pointed(draw, call, args),
+        strength=91,
+        state=f"{kind}_SIZE",
+        value=size,
+        values={"size": size, "columns": columns, "call": written(call)},
+        draws=[draw],
+    )
+
+
+def _pointed(draw: Drawn, call: Call, args: tuple[Any, ...]) -> Change:
+    """Return the change that makes a draw with another pointer in the place of one."""
+
+    def act() -> None:
+        for name, given in draw.call.arrays:
+            getattr(gl, name)(*(args if name == call.name else given))
+        if not any(name == call.name for name, _ in draw.call.arrays):
+            getattr(gl, call.name)(*args)
+        getattr(gl, draw.call.name)(*draw.call.args)
+
+    return Change(instead={draw.place: [act]})
+
+
+def _color_range(
+    draw: Drawn, call: Call, data: np.ndarray | None, wanted: np.dtype
+) -> Iterator[Suspect]:
+    """Suspect an array of colours from 0 to 255 as floats, or from 0 to 1 as bytes."""
+    if data is None or data.ndim != 2 or not data.size or data.shape[1] not in (3, 4):
+        return
+    most = float(data[:, :3].max())
+    if data.dtype == np.uint8 and wanted == np.uint8 and 0 < most <= 1:
+        cause, better, type_ = "color-range-bytes", data.astype(np.float32), 0x1406
+    elif data.dtype.kind == "f" and most >= 16 and np.array_equal(data, np.rint(data)):
+        cause, better, type_ = "color-range", (data / 255.0).astype(np.float32), 0x1406
+    else:
+        return
+    if int(draw.state.get("GL_ARRAY_BUFFER_BINDING") or 0):
+        return
+    yield Suspect(
+        cause,
+        at=call,
+        change=_pointed(draw, call, (data.shape[1], type_, 0, better)),
+        strength=88,
+        state="GL_COLOR_ARRAY_TYPE",
+        value=most,
+        values={"call": written(call)},
+        draws=[draw],
+    )
 
 
 TYPE_NAMES = {
@@ -357,6 +428,8 @@ def _indices(
 def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
     """Suspect a count of vertices below those that there are."""
     call = draw.call
+    if call.name == "glDrawElements":
+        yield from _count_of_faces(draw)
     if call.name != "glDrawArrays" or "GL_VERTEX_ARRAY" not in pointers:
         return
     pointer, buffer = pointers["GL_VERTEX_ARRAY"]
@@ -380,12 +453,82 @@ def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
     )
 
 
+def _count_of_faces(draw: Drawn) -> Iterator[Suspect]:
+    """Suspect a glDrawElements that is given the number of faces, and wants that of indices."""
+    call = draw.call
+    indices, count = call.args[-1], int(call.args[1])
+    size = LEAST.get(MODES[int(call.args[0])], 0)
+    if not isinstance(indices, np.ndarray) or size < 2 or int(call.args[-2]) not in TYPES:
+        return
+    all_ = indices.nbytes // np.dtype(TYPES[int(call.args[-2])]).itemsize
+    if count and count * size != all_:
+        return
+    yield Suspect(
+        "count",
+        at=call,
+        change=Change(instead={draw.place: [_pointed_all(draw, all_)]}),
+        strength=88,
+        value=count,
+        values={"n": count, "all": all_, "call": written(call)},
+        draws=[draw],
+    )
+
+
+def _pointed_all(draw: Drawn, count: int) -> Any:
+    def act() -> None:
+        for name, given in draw.call.arrays:
+            getattr(gl, name)(*given)
+        mode, _, *others = draw.call.args
+        gl.glDrawElements(mode, count, *others)
+
+    return act
+
+
+def array_left(survey: Survey) -> Iterator[Suspect]:
+    """An array of colours that another draw has set, and that is still enabled for this one."""
+    pointed: dict[str, Call] = {}
+    drawn: dict[int, Drawn] = {draw.number: draw for draw in survey.shapes}
+    users: dict[int, list[Drawn]] = {}  # of each glColorPointer
+    for call in survey.calls:
+        if call.name in POINTERS:
+            pointed[call.name] = call
+        draw = drawn.get(call.number)
+        if draw is None or call.name not in DRAWS or not draw.state["GL_COLOR_ARRAY"]:
+            continue
+        color, vertex = pointed.get("glColorPointer"), pointed.get("glVertexPointer")
+        if color is None or vertex is None:
+            continue
+        mine = users.setdefault(color.number, [])
+        setter = draw.setter("GL_CURRENT_COLOR")
+        if mine and vertex.number > color.number and setter and setter.number > mine[-1].number:
+            yield Suspect(
+                "array-left",
+                at=color,
+                change=Change(
+                    before={
+                        draw.place: [
+                            ("glDisableClientState", (gl.GL_COLOR_ARRAY,)),
+                            (setter.name, setter.args),
+                        ]
+                    },
+                    after={draw.place: [("glEnableClientState", (gl.GL_COLOR_ARRAY,))]},
+                ),
+                strength=87,
+                state="GL_COLOR_ARRAY",
+                value=True,
+                values={"line": call.site.line},
+                draws=[draw],
+            )
+        mine.append(draw)
+
+
 def lists(survey: Survey) -> Iterator[Suspect]:
     """A glCallList of a list that is empty or does not exist, or a list that nothing calls."""
     yield from _not_called(survey)
-    for call in survey.calls:
-        if call.name != "glCallList" or call.listed:
-            continue
+    for call in _unknown(survey):
+        if call.name == "glCallLists":
+            yield from _from_base(survey, call)
+            return
         full = [n for n, listing in survey_lists(survey).items() if listing]
         for number in full[:3]:
             yield Suspect(
@@ -400,9 +543,32 @@ def lists(survey: Survey) -> Iterator[Suspect]:
         return
 
 
+def _unknown(survey: Survey) -> list[Call]:
+    """Return the calls that execute a display list of which nothing is known, or an empty one."""
+    return [c for c in survey.calls if c.name in ("glCallList", "glCallLists") and not c.listed]
+
+
+def _from_base(survey: Survey, call: Call) -> Iterator[Suspect]:
+    """Yield that a glCallLists counts from a base at which there are no lists."""
+    known = sorted(survey_lists(survey))
+    based = [c for c in survey.tape.calls[: call.number] if c.name == "glListBase"]
+    base = int(based[-1].args[0]) if based else 0
+    if not known or base == known[0]:
+        return
+    yield Suspect(
+        "list-base",
+        at=based[-1] if based else call,
+        change=Change(before={str(call.number): [("glListBase", (known[0],))]}),
+        strength=80,
+        state="GL_LIST_BASE",
+        value=base,
+        values={"base": base, "first": known[0]},
+    )
+
+
 def _not_called(survey: Survey) -> Iterator[Suspect]:
     """Yield that a frame draws nothing, and calls none of the lists that were compiled."""
-    if survey.shapes or not survey.calls:
+    if survey.shapes or not survey.calls or _unknown(survey):
         return
     compiled = {int(c.args[0]): c for c in survey.tape.calls if c.name == "glNewList"}
     last = survey.calls[-1]
@@ -430,4 +596,4 @@ def survey_lists(survey: Survey) -> dict[int, Any]:
     return found
 
 
-RULES = (arrays, lists)
+RULES = (arrays, array_left, lists)

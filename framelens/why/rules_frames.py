@@ -10,7 +10,7 @@ from typing import Any
 
 from framelens.gl.seam import Call, gl
 from framelens.why.survey import Drawn, Survey
-from framelens.why.suspects import Suspect, cap, is_identity, load, with_state
+from framelens.why.suspects import Suspect, cap, is_identity, load, with_state, written
 from framelens.why.trial import Action, Change
 
 READS = ("glReadPixels", "glCopyTex", "glCopyPixels", "glBlitFramebuffer", "glAccum")
@@ -264,5 +264,36 @@ def _matrix_at(survey: Survey, call: Call) -> tuple[str, bool] | None:
     return None
 
 
-RULES = (late_clear, no_clear, masked_clear, leaks, accumulated)
+ACCUM, LOAD, RETURN = 0x0100, 0x0101, 0x0102  # GL_ACCUM and its like
+
+
+def accumulation(survey: Survey) -> Iterator[Suspect]:
+    """An accumulation buffer that takes nothing in, or that is never returned to the picture."""
+    calls = [call for call in survey.calls if call.name == "glAccum"]
+    takes = [call for call in calls if int(call.args[0]) in (ACCUM, LOAD)]
+    returns = [call for call in calls if int(call.args[0]) == RETURN]
+    nothing = [call for call in takes if float(call.args[1]) == 0.0]
+    if takes and len(nothing) == len(takes):
+        share = 1.0 / len(takes)
+        yield Suspect(
+            "accum-zero",
+            at=takes[0],
+            change=Change(
+                instead={str(c.number): [("glAccum", (c.args[0], share))] for c in takes}
+            ),
+            strength=93,
+            value=0.0,
+            values={"call": written(takes[0]), "n": len(takes)},
+        )
+    elif takes and not returns:
+        yield Suspect(
+            "accum-no-return",
+            at=takes[-1],
+            change=Change(after={str(takes[-1].number): [("glAccum", (RETURN, 1.0))]}),
+            strength=88,
+            values={"n": len(takes)},
+        )
+
+
+RULES = (accumulation, late_clear, no_clear, masked_clear, leaks, accumulated)
 __all__ = ["RULES", "is_identity"]

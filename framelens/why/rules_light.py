@@ -22,7 +22,7 @@ from framelens.why.suspects import (
     with_state,
     written,
 )
-from framelens.why.trial import Action, Change
+from framelens.why.trial import Action, Around, Change
 
 AHEAD = np.array((0.0, 0.0, -1.0))  # where the eye looks
 LIGHTS = tuple(f"GL_LIGHT{k}" for k in range(8))
@@ -56,7 +56,54 @@ def lights(survey: Survey) -> Iterator[Suspect]:
 
     yield from _set_and_off(survey, mine)
     yield from _unlit(survey)
-    yield from _far_side(survey, mine)
+    if mine and _dark(survey, mine):
+        yield from _weakened(mine)
+        yield from _far_side(survey, mine)
+
+
+def _weakened(mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that a light's cone does not reach what is dark, or that it fades before it does."""
+    state = mine[0].state
+    for name in LIGHTS:
+        if not state.get(name):
+            continue
+        cutoff = float(state[f"{name}.GL_SPOT_CUTOFF"])
+        if cutoff < 180.0:
+            yield Suspect(
+                "spot",
+                at=mine[0].setter(f"{name}.GL_SPOT_DIRECTION")
+                or mine[0].setter(f"{name}.GL_SPOT_CUTOFF"),
+                change=_of_light(name, [("GL_SPOT_CUTOFF", 180.0)], mine),
+                strength=84,
+                state=f"{name}.GL_SPOT_CUTOFF",
+                value=cutoff,
+                values={"light": name, "cutoff": cutoff},
+                draws=mine,
+            )
+
+        fading = [kind for kind in FADING if state[f"{name}.{kind}"] > 0.0]
+        if fading or state[f"{name}.GL_CONSTANT_ATTENUATION"] > 1.0:
+            kind = fading[-1] if fading else "GL_CONSTANT_ATTENUATION"
+            even = [("GL_CONSTANT_ATTENUATION", 1.0), *((each, 0.0) for each in FADING)]
+            yield Suspect(
+                "attenuation",
+                at=mine[0].setter(f"{name}.{kind}"),
+                change=_of_light(name, even, mine),
+                strength=83,
+                state=f"{name}.{kind}",
+                value=state[f"{name}.{kind}"],
+                values={"light": name, "kind": kind},
+                draws=mine,
+            )
+
+
+FADING = ("GL_LINEAR_ATTENUATION", "GL_QUADRATIC_ATTENUATION")
+
+
+def _of_light(name: str, values: Sequence[tuple[str, float]], draws: Sequence[Drawn]) -> Change:
+    """Return the change that gives a light other numbers."""
+    actions: list[Action] = [("glLightf", (cap(name), cap(key), value)) for key, value in values]
+    return with_state(["LIGHTING"], actions, draws)
 
 
 def _set_and_off(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
@@ -90,8 +137,9 @@ def _unlit(survey: Survey) -> Iterator[Suspect]:
     shapes = survey.shapes
     if not shapes or any(d.state["GL_LIGHTING"] for d in shapes):
         return
-    mine = [d for d in shapes if any(d.state[name] for name in LIGHTS)]
-    if mine:
+    mine = [d for d in shapes if any(d.state[name] for name in LIGHTS) and _has_normals(d)]
+    switch = mine[0].setter("GL_LIGHTING") if mine else None
+    if mine and (switch is None or switch.name != "glDisable"):
         light = next(name for name in LIGHTS if mine[0].state[name])
         yield Suspect(
             "lighting-off",
@@ -105,10 +153,15 @@ def _unlit(survey: Survey) -> Iterator[Suspect]:
         )
 
 
+def _has_normals(draw: Drawn) -> bool:
+    """Return whether a draw gives normals, as what is to be lit does."""
+    given = draw.vertices is not None and draw.vertices.normals is not None
+    shaped = draw.call.name.startswith("glut")
+    return given or shaped or draw.setter("GL_CURRENT_NORMAL") is not None
+
+
 def _far_side(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
     """Yield that what is seen of all lit shapes faces away from every light."""
-    if not mine or not _dark(survey, mine):
-        return
     past = survey.past
     if past is not None and past.frame and any(note.name == "gluLookAt" for note in survey.glu):
         return  # a camera that moves may well look at the dark side
@@ -368,6 +421,8 @@ def materials(survey: Survey) -> Iterator[Suspect]:
     if not mine:
         return
     yield from _color_material(survey, mine)
+    yield from _color_elsewhere(mine)
+    yield from _back_only(survey, mine)
     yield from _emission(survey, mine)
     yield from _black(survey, mine)
 
@@ -398,6 +453,74 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         value=False,
         values={"color": _line(colored[0].setter("GL_CURRENT_COLOR"))},
         draws=colored,
+    )
+
+
+def _color_elsewhere(mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that glColor goes into the back's material, or into another part than the diffuse."""
+    wrong = [
+        draw
+        for draw in mine
+        if draw.state["GL_COLOR_MATERIAL"]
+        and draw.setter("GL_FRONT.GL_DIFFUSE") is None
+        and _colorful(draw)
+        and (
+            draw.state["GL_COLOR_MATERIAL_FACE"] == "GL_BACK"
+            or draw.state["GL_COLOR_MATERIAL_PARAMETER"] in ("GL_SPECULAR", "GL_AMBIENT")
+        )
+    ]
+    if not wrong:
+        return
+    state = wrong[0].state
+    face, parameter = state["GL_COLOR_MATERIAL_FACE"], state["GL_COLOR_MATERIAL_PARAMETER"]
+    around = [
+        Around(
+            int(gl.GL_LIGHTING_BIT) | int(gl.GL_CURRENT_BIT),
+            [
+                ("glColorMaterial", (gl.GL_FRONT_AND_BACK, gl.GL_AMBIENT_AND_DIFFUSE)),
+                ("glColor4f", tuple(float(v) for v in draw.state["GL_CURRENT_COLOR"])),
+            ],
+            draw.places,
+        )
+        for draw in wrong
+    ]
+    yield Suspect(
+        "color-material-which",
+        at=wrong[0].setter("GL_COLOR_MATERIAL_PARAMETER"),
+        change=Change(around=around),
+        strength=86,
+        state="GL_COLOR_MATERIAL_PARAMETER",
+        value=parameter,
+        values={"face": face, "parameter": parameter},
+        draws=wrong,
+    )
+
+
+def _back_only(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that a material is set for the back faces alone, and the front faces are seen."""
+    wrong = [
+        draw
+        for draw in mine
+        if draw.setter("GL_BACK.GL_DIFFUSE") is not None
+        and draw.setter("GL_FRONT.GL_DIFFUSE") is None
+        and not draw.state["GL_LIGHT_MODEL_TWO_SIDE"]
+        and not draw.state["GL_COLOR_MATERIAL"]
+    ]
+    if not wrong:
+        return
+    actions: dict[str, list[Action]] = {}
+    for draw in wrong:
+        setter = draw.setter("GL_BACK.GL_DIFFUSE")
+        assert setter is not None
+        actions[draw.place] = [(setter.name, (gl.GL_FRONT_AND_BACK, *setter.args[1:]))]
+    yield Suspect(
+        "material-face",
+        at=wrong[0].setter("GL_BACK.GL_DIFFUSE"),
+        change=Change(before=actions),
+        strength=86,
+        state="GL_FRONT.GL_DIFFUSE",
+        value=[float(v) for v in wrong[0].state["GL_FRONT.GL_DIFFUSE"]],
+        draws=wrong,
     )
 
 

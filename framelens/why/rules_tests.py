@@ -127,6 +127,18 @@ def _tested(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             draws=masked,
         )
 
+    lines = [d for d in _of(group, "GL_LINE_STIPPLE") if d.vertices and d.vertices.mode in LINES]
+    if lines:
+        yield Suspect(
+            "line-stipple",
+            at=_setter(lines, "GL_LINE_STIPPLE_PATTERN") or _setter(lines, "GL_LINE_STIPPLE"),
+            change=off("GL_LINE_STIPPLE", lines),
+            strength=84,
+            state="GL_LINE_STIPPLE",
+            value=True,
+            draws=lines,
+        )
+
     if mine := _of(group, "GL_POLYGON_STIPPLE"):
         yield Suspect(
             "stipple",
@@ -137,6 +149,9 @@ def _tested(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             value=True,
             draws=mine,
         )
+
+
+LINES = ("GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP")
 
 
 def _colorless(draw: Drawn) -> bool:
@@ -250,6 +265,29 @@ def _inside(draws: Sequence[Drawn]) -> bool:
     eye = np.concatenate(points)
     low, high = eye.min(axis=0), eye.max(axis=0)
     return bool(len(eye) > 7 and (low < 0).all() and (high > 0).all())
+
+
+def odd_faces(survey: Survey) -> Iterator[Suspect]:
+    """Front faces that are culled in all of a frame: what is seen of the shapes is their inside.
+
+    Only where a pixel is asked about; who culls back faces in one pass and front faces in another,
+    or draws a mirrored scene, means it so.
+    """
+    culled = [draw for draw in survey.shapes if draw.state["GL_CULL_FACE"] and draw.covered]
+    settings = {(d.state["GL_CULL_FACE_MODE"], d.state["GL_FRONT_FACE"]) for d in culled}
+    if survey.pixel is None or len(settings) != 1 or any(_mirroring(draw) for draw in culled):
+        return
+    mode, front = settings.pop()
+    if (mode == "GL_BACK") != (front == "GL_CCW"):
+        yield from (each for each in _culling(survey, culled, 70) if each.cause in ODD_FACES)
+
+
+ODD_FACES = ("cull-front", "front-face")
+
+
+def _mirroring(draw: Drawn) -> bool:
+    """Return whether a draw's modelview matrix turns the winding round."""
+    return bool(np.linalg.det(matrix_of(draw, "GL_MODELVIEW")[:3, :3]) < 0)
 
 
 def holes(survey: Survey) -> Iterator[Suspect]:
@@ -379,6 +417,17 @@ def near_zero(survey: Survey) -> Iterator[Suspect]:
 
 
 def _blended(group: list[Drawn]) -> Iterator[Suspect]:
+    if mine := [d for d in _of(group, "GL_COLOR_LOGIC_OP") if d.passed and not d.changed]:
+        yield Suspect(
+            "logic-op",
+            at=_setter(mine, "GL_LOGIC_OP_MODE") or _setter(mine, "GL_COLOR_LOGIC_OP"),
+            change=off("GL_COLOR_LOGIC_OP", mine),
+            strength=82,
+            state="GL_COLOR_LOGIC_OP",
+            value=True,
+            values={"operation": mine[0].state["GL_LOGIC_OP_MODE"]},
+            draws=mine,
+        )
     group = [d for d in group if not d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
     mine = [d for d in _of(group, "GL_BLEND") if d.passed and not d.changed]
     if mine:
@@ -405,6 +454,7 @@ def _blended(group: list[Drawn]) -> Iterator[Suspect]:
         if d.passed
         and not d.changed
         and not d.state["GL_BLEND"]
+        and not d.state["GL_COLOR_LOGIC_OP"]
         and any(d.state["GL_COLOR_WRITEMASK"])
     ]
     if plain:
@@ -463,6 +513,8 @@ def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
     shapes = survey.shapes
     if not shapes or any(draw.state["GL_DEPTH_TEST"] for draw in shapes):
         return
+    if survey.past is not None and survey.past.first.get("GL_DEPTH_TEST"):
+        return  # it was on in the first frame: an earlier one has left it off
     solid = [draw for draw in shapes if perspective(draw.state["GL_PROJECTION_MATRIX"])]
     solid = solid or [d for d in shapes if d.placed is not None and np.ptp(d.placed.clip[:, 2]) > 0]
     if not solid:
@@ -555,9 +607,10 @@ def _alpha(draw: Drawn) -> float:
 
 def blend_missing(survey: Survey) -> Iterator[Suspect]:
     """A translucent colour or image without blending."""
-    if any(draw.state["GL_BLEND"] for draw in survey.shapes):
-        return
     shapes = [draw for draw in survey.shapes if draw.passed]
+    if any(draw.state["GL_BLEND"] for draw in shapes):
+        yield from _solid_at_pixel(shapes)
+        return
     if not shapes:
         return
     setter = shapes[0].setter("GL_BLEND_SRC_RGB") or shapes[0].setter("GL_BLEND_DST_RGB")
@@ -580,6 +633,17 @@ def blend_missing(survey: Survey) -> Iterator[Suspect]:
             alpha=_alpha(mine[0]),
             strength=58,
         )
+
+
+def _solid_at_pixel(shapes: list[Drawn]) -> Iterator[Suspect]:
+    """Yield that what is drawn at the pixel is translucent, and blending is on for others only."""
+    here = [draw for draw in shapes if draw.at_pixel[0] and not draw.state["GL_BLEND"]]
+    for draw in here[-1:]:
+        switch = draw.setter("GL_BLEND")
+        meant = switch is not None and switch.name == "glDisable"
+        alpha = min(_alpha(draw), texture_alpha(draw))
+        if alpha < 0.99 and not (meant or draw.state["GL_ALPHA_TEST"] or draw.state["GL_LIGHTING"]):
+            yield _without_blending([draw], draw.call, [], alpha=alpha, strength=58)
 
 
 def _blending_asked_for(shapes: list[Drawn], setter: Call) -> Iterator[Suspect]:
@@ -769,6 +833,7 @@ def _functions(draw: Drawn) -> set[str]:
 RULES = (
     lifted,
     all_fogged,
+    odd_faces,
     holes,
     near_zero,
     missing_depth_test,

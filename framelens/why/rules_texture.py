@@ -5,6 +5,7 @@ whether it is bound and enabled, and what the coordinates say.
 """
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,20 +20,37 @@ from framelens.why.trial import Action, Change
 ENABLED = "GL_TEXTURE0.GL_TEXTURE_2D"
 BOUND = "GL_TEXTURE0.GL_TEXTURE_BINDING_2D"
 CHANNELS = {0x1907: 3, 0x1908: 4, 0x80E0: 3, 0x80E1: 4, 0x1909: 1, 0x190A: 2, 0x1906: 1, 0x1903: 1}
+FORMATS = {1: 0x1909, 2: 0x190A, 3: 0x1907, 4: 0x1908}  # GL_LUMINANCE to GL_RGBA
+NAMES = {1: "GL_LUMINANCE", 2: "GL_LUMINANCE_ALPHA", 3: "GL_RGB", 4: "GL_RGBA"}
 BYTE = 0x1401  # GL_UNSIGNED_BYTE
 
 
-def uploads(survey: Survey) -> list[tuple[Call, int, int]]:
-    """Return the calls of glTexImage2D that the tape has, with texture and GL_UNPACK_ALIGNMENT."""
+@dataclass(frozen=True)
+class Upload:
+    """A glTexImage2D: its texture, and how OpenGL takes the rows from memory."""
+
+    call: Call
+    texture: int
+    alignment: int
+    row_length: int
+    stored: Call | None  # the call that set the length of a row
+
+
+def uploads(survey: Survey) -> list[Upload]:
+    """Return the calls of glTexImage2D that the tape has."""
     found = []
-    bound, alignment = 0, 4
+    bound, alignment, row_length = 0, 4, 0
+    stored = None
     for call in survey.tape.calls:
         if call.name == "glBindTexture" and int(call.args[0]) == int(gl.GL_TEXTURE_2D):
             bound = int(call.args[1])
-        elif call.name == "glPixelStorei" and int(call.args[0]) == int(gl.GL_UNPACK_ALIGNMENT):
-            alignment = int(call.args[1])
+        elif call.name.startswith("glPixelStore"):
+            if int(call.args[0]) == int(gl.GL_UNPACK_ALIGNMENT):
+                alignment = int(call.args[1])
+            elif int(call.args[0]) == int(gl.GL_UNPACK_ROW_LENGTH):
+                row_length, stored = int(call.args[1]), call
         elif call.name == "glTexImage2D":
-            found.append((call, bound, alignment))
+            found.append(Upload(call, bound, alignment, row_length, stored))
     return found
 
 
@@ -50,15 +68,22 @@ def image_of(call: Call) -> tuple[int, int, int, Any] | None:
     return int(call.args[3]), int(call.args[4]), CHANNELS[int(call.args[6])], array
 
 
-def _upload_again(call: Call, texture: int, pixels: Any, alignment: int = 1) -> Any:
-    """Return the action that gives a texture its image again, from other pixels."""
+def _upload_again(call: Call, texture: int, pixels: Any, channels: int = 0) -> Any:
+    """Return the action that gives a texture its image again, from other pixels.
+
+    They have so many ``channels``, 0 for those that the call says.
+    """
+    args = list(call.args[:8])
+    if channels:
+        args[6] = FORMATS[channels]
 
     def act() -> None:
         former = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
         gl.glPushClientAttrib(gl.GL_CLIENT_PIXEL_STORE_BIT)
-        gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, alignment)
+        gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
+        gl.glPixelStorei(gl.GL_UNPACK_ROW_LENGTH, 0)
         gl.glBindTexture(gl.GL_TEXTURE_2D, texture)
-        gl.glTexImage2D(*call.args[:8], pixels)
+        gl.glTexImage2D(*args, pixels)
         gl.glBindTexture(gl.GL_TEXTURE_2D, former)
         gl.glPopClientAttrib()
 
@@ -67,12 +92,27 @@ def _upload_again(call: Call, texture: int, pixels: Any, alignment: int = 1) -> 
 
 def handed_over(survey: Survey) -> Iterator[Suspect]:
     """Images whose rows OpenGL reads in another way than they lie in memory."""
-    for call, texture, alignment in uploads(survey):
+    for upload in uploads(survey):
+        call, texture, alignment = upload.call, upload.texture, upload.alignment
         image = image_of(call)
         if image is None:
             continue
         width, height, channels, pixels = image
         row = width * channels
+        if other := _channels(call, image):
+            yield _otherwise(upload, image, other)
+            continue
+        if upload.row_length not in (0, width) and pixels.size % row == 0:
+            yield Suspect(
+                "unpack-row-length",
+                at=upload.stored,
+                change=Change(first=[_upload_again(call, texture, pixels[: row * height])]),
+                strength=93,
+                state="GL_UNPACK_ROW_LENGTH",
+                value=upload.row_length,
+                values={"width": width, "length": upload.row_length, "line": call.site.line},
+            )
+            continue
         padded = -(-row // alignment) * alignment
         if padded != row and pixels.size < padded * (height - 1) + row:
             if pixels.size >= row * height:
@@ -98,6 +138,34 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
             )
 
         yield from _upside_down(survey, call, texture, image)
+
+
+def _channels(call: Call, image: tuple[int, int, int, Any]) -> int:
+    """Return how many channels an image has, if it is not as many as the call says, else 0.
+
+    An array tells by its last dimension; bytes by their number.
+    """
+    width, height, channels, pixels = image
+    shape: tuple[int, ...] = tuple(getattr(call.args[8], "shape", ()))
+    if len(shape) == 3 and shape[:2] == (height, width):
+        return int(shape[2]) if shape[2] in FORMATS and shape[2] != channels else 0
+    others = [n for n in (3, 4) if n != channels and pixels.size == width * height * n]
+    return others[0] if len(shape) < 2 and channels in (3, 4) and others else 0
+
+
+def _otherwise(upload: Upload, image: tuple[int, int, int, Any], channels: int) -> Suspect:
+    """Suspect that an image has more or fewer channels than its format says."""
+    width, height, said, pixels = image
+    again = pixels[: width * height * channels]
+    return Suspect(
+        "image-format",
+        at=upload.call,
+        change=Change(first=[_upload_again(upload.call, upload.texture, again, channels)]),
+        strength=95,
+        state="GL_TEXTURE_2D",
+        value=NAMES[said],
+        values={"channels": channels, "said": NAMES[said], "format": NAMES[channels]},
+    )
 
 
 def _upside_down(survey: Survey, call: Call, texture: int, image: Any) -> Iterator[Suspect]:
@@ -205,7 +273,8 @@ def _nothing_bound(survey: Survey, mine: Sequence[Drawn], texture: int) -> Itera
     if not given or (setter is not None and int(setter.args[1]) == 0):
         return  # who binds 0 may well mean it
 
-    for call, other, _ in reversed(uploads(survey)):
+    for upload in reversed(uploads(survey)):
+        call, other = upload.call, upload.texture
         if other == texture or completeness(other) is not None:
             continue
         yield Suspect(
@@ -226,10 +295,7 @@ def not_enabled(survey: Survey) -> Iterator[Suspect]:
     mine = [
         d
         for d in survey.shapes
-        if not d.state[ENABLED]
-        and d.passed
-        and _has_coords(d)
-        and not any(d.state[f"GL_TEXTURE0.GL_TEXTURE_{k}"] for k in ("1D", "3D", "CUBE_MAP"))
+        if not d.state[ENABLED] and d.passed and _has_coords(d) and not _textured_otherwise(d)
     ]
 
     bound = [d for d in mine if completeness(int(d.state[BOUND])) is None]
@@ -237,7 +303,7 @@ def not_enabled(survey: Survey) -> Iterator[Suspect]:
         return
 
     seen = any(d.state[ENABLED] for d in survey.shapes)
-    if seen and survey.pixel is None:
+    if seen and (survey.pixel is None or _meant_plain(survey, bound[0])):
         return  # where some are textured, others may be meant to be plain
     setter = bound[0].setter(BOUND)
     yield Suspect(
@@ -250,6 +316,26 @@ def not_enabled(survey: Survey) -> Iterator[Suspect]:
         values={"texture": int(bound[0].state[BOUND])},
         draws=bound,
     )
+
+
+def _meant_plain(survey: Survey, draw: Drawn) -> bool:
+    """Return whether a program that textures other things disables it for this one, too.
+
+    It does if the first thing drawn after that glDisable has coordinates, or if it disables
+    texturing somewhere, and has not enabled it yet.
+    """
+    setter = draw.setter(ENABLED)
+    if setter is None:
+        texture = int(gl.GL_TEXTURE_2D)
+        return any(c.name == "glDisable" and int(c.args[0]) == texture for c in survey.calls)
+    after = [d for d in survey.shapes if d.setter(ENABLED) is setter]
+    return setter.name == "glDisable" and _has_coords(after[0])
+
+
+def _textured_otherwise(draw: Drawn) -> bool:
+    """Return whether a draw has a texture that is not two-dimensional."""
+    line = draw.state["GL_TEXTURE0.GL_TEXTURE_1D"] and draw.state[BOUND.replace("2D", "1D")]
+    return bool(line) or any(draw.state[f"GL_TEXTURE0.GL_TEXTURE_{k}"] for k in ("3D", "CUBE_MAP"))
 
 
 def _has_coords(draw: Drawn) -> bool:

@@ -76,6 +76,34 @@ def _renamed(call: Call, place: int, names: dict[int, int]) -> Any:
     return act
 
 
+def list_open(survey: Survey) -> Iterator[Suspect]:
+    """A glNewList without its glEndList: all calls after it are compiled, and none executed."""
+    begun = None
+    inside = False  # of a glBegin, where OpenGL refuses to begin a list
+    for call in survey.tape.calls:
+        if call.name in ("glBegin", "glEnd"):
+            inside = call.name == "glBegin"
+        elif call.name == "glNewList" and not inside:
+            begun = call
+        elif call.name == "glEndList":
+            begun = None
+    if begun is None:
+        return
+    own = begun.compiled.calls() if begun.compiled is not None else []
+    inner = [call for call in own if call.site.function == begun.site.function]
+    after = [call for call in own if call.site.line > begun.site.line and call in inner]
+    yield Suspect(
+        "no-end-list",
+        at=begun,
+        change=None,
+        strength=98,
+        state="GL_LIST_INDEX",
+        value=int(begun.args[0]),
+        values={"list": int(begun.args[0]), "line": after[-1].site.line if after else 0},
+        pixels=survey.base.shape[0] * survey.base.shape[1],
+    )
+
+
 def begin_and_end(survey: Survey) -> Iterator[Suspect]:
     """A glBegin without its glEnd, a call that is forbidden between them, a glVertex outside."""
     steps = [step for step in survey.tape.steps() if step.place]
@@ -119,11 +147,13 @@ def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> It
             break
 
     if not ended or step.call.name == "glBegin":
+        broken_off = survey.past is not None and survey.past.error is not None and not ended
         yield Suspect(
             "no-end",
             at=last.call,
-            change=Change(after={last.place: [("glEnd", ())]}),
+            change=None if broken_off else Change(after={last.place: [("glEnd", ())]}),
             strength=96,
+            pixels=survey.base.shape[0] * survey.base.shape[1],
             values={"begin": begin.call.site.line, "function": last.call.site.function},
         )
         return
@@ -306,6 +336,7 @@ SWAPS = {
 }
 RULES = (
     before_context,
+    list_open,
     begin_and_end,
     refused,
     not_shown,

@@ -33,6 +33,11 @@ ENABLES = (
     *(f"GL_CLIP_PLANE{k}" for k in range(6)),
     *("GL_VERTEX_ARRAY", "GL_NORMAL_ARRAY", "GL_COLOR_ARRAY"),
 )
+OF_LIGHTS = (
+    *("DIFFUSE", "POSITION", "SPOT_CUTOFF"),
+    *("CONSTANT_ATTENUATION", "LINEAR_ATTENUATION", "QUADRATIC_ATTENUATION"),
+)
+MAPS = tuple(f"GL_MAP{d}_VERTEX_{n}" for d in (1, 2) for n in (3, 4))
 NAMES = (
     *ENABLES,
     *("GL_TEXTURE0.GL_TEXTURE_2D", "GL_TEXTURE0.GL_TEXTURE_BINDING_2D"),
@@ -49,7 +54,9 @@ NAMES = (
     *("GL_FOG_MODE", "GL_FOG_DENSITY", "GL_FRONT.GL_DIFFUSE", "GL_FRONT.GL_AMBIENT"),
     *("GL_FRONT.GL_EMISSION", "GL_LIGHT_MODEL_AMBIENT", "GL_LIGHT_MODEL_TWO_SIDE"),
     *("GL_STENCIL_FAIL", "GL_STENCIL_PASS_DEPTH_FAIL", "GL_STENCIL_PASS_DEPTH_PASS"),
-    *(f"GL_LIGHT{k}.GL_{what}" for k in range(8) for what in ("DIFFUSE", "POSITION")),
+    *(f"GL_LIGHT{k}.GL_{what}" for k in range(8) for what in OF_LIGHTS),
+    *("GL_COLOR_MATERIAL_FACE", "GL_COLOR_MATERIAL_PARAMETER"),
+    *("GL_TEXTURE0.GL_TEXTURE_BINDING_1D", *MAPS),
     *("GL_DRAW_BUFFER", "GL_CURRENT_RASTER_POSITION_VALID", "GL_CURRENT_RASTER_COLOR"),
     *("GL_RENDER_MODE", "GL_POINT_SIZE", "GL_LINE_WIDTH", "GL_MODELVIEW_STACK_DEPTH"),
     *("GL_DRAW_FRAMEBUFFER_BINDING", "GL_LOGIC_OP_MODE", "GL_CURRENT_RASTER_POSITION"),
@@ -230,7 +237,10 @@ class Pixel:
 
 def untested() -> Around:
     """Return what lets every fragment of a draw pass."""
-    off = ("CULL_FACE", "DEPTH_TEST", "STENCIL_TEST", "ALPHA_TEST", "SCISSOR_TEST")
+    off = (
+        *("CULL_FACE", "DEPTH_TEST", "STENCIL_TEST", "ALPHA_TEST", "SCISSOR_TEST"),
+        *("POLYGON_STIPPLE", "LINE_STIPPLE"),
+    )
     planes = [("glDisable", (gl.GL_CLIP_PLANE0 + k,)) for k in range(6)]
     return Around(
         int(gl.GL_ENABLE_BIT), [("glDisable", (getattr(gl, f"GL_{n}"),)) for n in off] + planes

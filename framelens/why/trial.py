@@ -155,6 +155,7 @@ class Trial:
         Refused if a call raises an error.
         """
         self.times += 1
+        _end_list()
         self.tape.rewind()
         if self.tape.before is None:
             self._clear()  # or a frame that clears nothing would begin on its own picture
@@ -175,6 +176,8 @@ class Trial:
                 self._drawn(item, change, draw)
         except Exception as error:
             raise Refused(str(error)) from error
+        finally:
+            _end_list()
 
     def _clear(self) -> None:
         """Clear the framebuffer to what a new one holds: black, farthest, 0."""
@@ -227,6 +230,12 @@ class Trial:
                 for function, args in thunks:
                     function(*args)
             _act(change.after.get(place, ()))
+
+
+def _end_list() -> None:
+    """End a display list that the program has left open: it would take all calls that follow."""
+    if gl.glGetIntegerv(gl.GL_LIST_INDEX):
+        raw.glEndList()
 
 
 class Refused(Exception):

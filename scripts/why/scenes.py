@@ -203,7 +203,8 @@ def program(dice: random.Random) -> str:
     parts.append(RIBBON.format(mode=dice.choice(("GL_QUAD_STRIP", "GL_TRIANGLE_STRIP"))))
     again = "    glEnable(GL_LIGHTING)\n" if light else ""
     parts.append(WIRE.format(wide=dice.choice((1, 3)), light=again))
-    parts.append(IMAGE.format(seed=dice.randrange(1000)))
+    image = IMAGE.format(seed=dice.randrange(1000))
+    loading = len(parts)
     parts.append("glEnable(GL_DEPTH_TEST)\n")
     culling = dice.random() < 0.4
     if light:
@@ -226,6 +227,8 @@ def program(dice: random.Random) -> str:
         parts.append(GLASS)
     if dice.random() < 0.3:
         parts.append(OVERLAY.format(width=width, height=height))
+    if any("glEnable(GL_TEXTURE_2D)" in part for part in parts):
+        parts.insert(loading, image)
     return "".join([*parts, END])
 
 
