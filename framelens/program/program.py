@@ -149,6 +149,13 @@ def run(
         raise ProgramError(
             "{path}: ended without opening a window for OpenGL{reason}", path=path, reason=reason
         )
+    if not state.over and frame is not None and not state.frames:
+        raise ProgramError(
+            "{path}: ended after no frames; frame {frame} was asked: its loop is never entered, or "
+            "it has none",
+            path=path,
+            frame=frame,
+        )
     if not state.over and frame is not None:
         raise ProgramError(
             "{path}: ended after {count}; frame {frame} was asked",
