@@ -407,4 +407,190 @@ BROKEN = {
         + BEHIND,
         ("glTranslatef(0, 0, -1)", "glPopMatrix()"),
     ),
+    "aspect in a list": Case(
+        ("aspect-zero",),
+        "lens = glGenLists(1)\nglNewList(lens, GL_COMPILE)\n"
+        + CAMERA.replace("240 / 180", "180 // 240")
+        + "glEndList()\n",
+        "glCallList(lens)\n" + BEGIN + QUAD,
+        ("180 // 240", "240 / 180"),
+    ),
+    "camera in a list": Case(
+        ("behind",),
+        CAMERA
+        + "view = glGenLists(1)\nglNewList(view, GL_COMPILE)\nglLoadIdentity()\n"
+        + "gluLookAt(0, 0, 5, 0, 0, 9, 0, 1, 0)\nglEndList()\n",
+        CLEAR + "glClear(GL_DEPTH_BUFFER_BIT)\nglCallList(view)\n" + QUAD,
+        ("0, 0, 9, 0", "0, 0, 0, 0"),
+    ),
+    "no slices": Case(
+        ("glu-nothing",), CAMERA + BALL, BEGIN + "gluSphere(ball, 1, 1, 12)\n", ("1, 1,", "1, 16,")
+    ),
+    "list not called": Case(
+        ("list-not-called",),
+        FLAT + "shape = glGenLists(1)\nglNewList(shape, GL_COMPILE)\nglRectf(60, 40, 200, 150)\n"
+        "glEndList()\n",
+        CLEAR,
+        (
+            "    glClear(GL_COLOR_BUFFER_BIT)\n",
+            "    glClear(GL_COLOR_BUFFER_BIT)\n    glCallList(shape)\n",
+        ),
+    ),
+    "no end of a list": Case(
+        ("no-end-list",),
+        FLAT + "shape = glGenLists(1)\nglNewList(shape, GL_COMPILE)\nglRectf(60, 40, 200, 150)\n",
+        CLEAR + "glCallList(shape)\n",
+        ("200, 150)\n", "200, 150)\nglEndList()\n"),
+    ),
+    "list base": Case(
+        ("list-base",),
+        FLAT + "base = glGenLists(2)\nglNewList(base + 1, GL_COMPILE)\nglRectf(60, 40, 200, 150)\n"
+        "glEndList()\nglNewList(base, GL_COMPILE)\nglRectf(10, 10, 30, 30)\nglEndList()\n",
+        CLEAR + "glListBase(base + 64)\nglCallLists(np.array([0, 1], np.uint8))\n",
+        ("base + 64", "base"),
+    ),
+    "four channels": Case(
+        ("image-format",),
+        CAMERA
+        + IMAGE.replace("32, 3)", "32, 4)").replace("(200, 100, 50)", "(200, 100, 50, 255)")
+        + "glEnable(GL_TEXTURE_2D)\n",
+        BEGIN + TEXTURED,
+        ("0, GL_RGB, GL_UNSIGNED", "0, GL_RGBA, GL_UNSIGNED"),
+    ),
+    "two of three numbers": Case(
+        ("pointer-size",),
+        FLAT + "data = np.array([[60, 40, 0], [200, 40, 0], [130, 150, 0]], np.float32)\n"
+        "glEnableClientState(GL_VERTEX_ARRAY)\nglVertexPointer(2, GL_FLOAT, 0, data)\n",
+        CLEAR + "glDrawArrays(GL_TRIANGLES, 0, 3)\n",
+        ("glVertexPointer(2", "glVertexPointer(3"),
+    ),
+    "faces counted": Case(
+        ("count",),
+        FLAT + "data = np.array([[60, 40], [200, 40], [200, 150], [60, 150]], np.float32)\n"
+        "order = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)\n"
+        "glEnableClientState(GL_VERTEX_ARRAY)\nglVertexPointer(2, GL_FLOAT, 0, data)\n",
+        CLEAR + "glDrawElements(GL_TRIANGLES, len(order), GL_UNSIGNED_INT, order)\n",
+        ("len(order)", "order.size"),
+    ),
+    "colours as bytes": Case(
+        ("color-range-bytes",),
+        FLAT + "data = np.array([[60, 40], [200, 40], [130, 150]], np.float32)\n"
+        "colors = np.array([[1, 0, 0], [0, 1, 0], [1, 1, 0]], np.uint8)\n"
+        "glEnableClientState(GL_VERTEX_ARRAY)\nglEnableClientState(GL_COLOR_ARRAY)\n"
+        "glVertexPointer(2, GL_FLOAT, 0, data)\n"
+        "glColorPointer(3, GL_UNSIGNED_BYTE, 0, colors)\n",
+        CLEAR + "glDrawArrays(GL_TRIANGLES, 0, 3)\n",
+        ("0, colors)", "0, colors * 255)"),
+    ),
+    "colours left on": Case(
+        ("array-left",),
+        FLAT + "data = np.array([[20, 40], [100, 40], [60, 150]], np.float32)\n"
+        "dark = np.full((3, 3), 0.1, np.float32)\n",
+        CLEAR
+        + "glEnableClientState(GL_VERTEX_ARRAY)\nglEnableClientState(GL_COLOR_ARRAY)\n"
+        + "glVertexPointer(2, GL_FLOAT, 0, data)\nglColorPointer(3, GL_FLOAT, 0, dark)\n"
+        + "glDrawArrays(GL_TRIANGLES, 0, 3)\n"
+        + "glVertexPointer(2, GL_FLOAT, 0, data + 100)\nglColor3f(1, 0.8, 0)\n"
+        + "glDrawArrays(GL_TRIANGLES, 0, 3)\n",
+        (
+            "    glVertexPointer(2, GL_FLOAT, 0, data + 100)",
+            "    glDisableClientState(GL_COLOR_ARRAY)\n"
+            "    glVertexPointer(2, GL_FLOAT, 0, data + 100)",
+        ),
+    ),
+    "a square of triangles": Case(
+        ("left-over",),
+        FLAT,
+        CLEAR
+        + "glBegin(GL_TRIANGLES)\nfor x, y in ((60, 40), (200, 40), (200, 150), (60, 150)):\n"
+        + "    glVertex2f(x, y)\nglEnd()\n",
+        ("GL_TRIANGLES", "GL_QUADS"),
+    ),
+    "no vertices": Case(
+        ("no-vertices",),
+        FLAT,
+        CLEAR
+        + "glBegin(GL_TRIANGLES)\nfor k in range(3, 0):\n    glVertex2f(60 * k, 20 * k * k)\n"
+        + "glEnd()\n",
+        ("range(3, 0)", "range(3)"),
+    ),
+    "no map": Case(
+        ("map-not-enabled",),
+        FLAT + "points = np.array([[20, 20, 0], [90, 170, 0], [220, 60, 0]], np.float32)\n"
+        "glMap1f(GL_MAP1_VERTEX_3, 0, 1, points)\n",
+        CLEAR + "glBegin(GL_LINE_STRIP)\nfor k in range(21):\n    glEvalCoord1f(k / 20)\nglEnd()\n",
+        ("0, 1, points)\n", "0, 1, points)\nglEnable(GL_MAP1_VERTEX_3)\n"),
+    ),
+    "logic": Case(
+        ("logic-op",),
+        FLAT + "glEnable(GL_COLOR_LOGIC_OP)\nglLogicOp(GL_NOOP)\n",
+        CLEAR + "glRectf(60, 40, 200, 150)\n",
+        ("GL_NOOP", "GL_COPY"),
+    ),
+    "tiny": Case(
+        ("tiny",),
+        CAMERA,
+        BEGIN + "glScalef(0.001, 0.001, 0.001)\n" + QUAD,
+        ("0.001, 0.001, 0.001", "0.9, 0.9, 0.9"),
+    ),
+    "camera wiped": Case(
+        ("camera-wiped",),
+        CAMERA + CUBE,
+        CLEAR
+        + "glClear(GL_DEPTH_BUFFER_BIT)\ngluLookAt(2, 3, 6, 0, 0, 0, 0, 1, 0)\n"
+        + "glLoadIdentity()\ncube()\n",
+        (
+            "gluLookAt(2, 3, 6, 0, 0, 0, 0, 1, 0)\n    glLoadIdentity()",
+            "glLoadIdentity()\n    gluLookAt(2, 3, 6, 0, 0, 0, 0, 1, 0)",
+        ),
+    ),
+    "picking left": Case(
+        ("pick-matrix-left",),
+        "glMatrixMode(GL_PROJECTION)\ngluPickMatrix(20, 20, 5, 5, (0, 0, 240, 180))\n"
+        + CAMERA.replace("glMatrixMode(GL_PROJECTION)\n", ""),
+        BEGIN + QUAD,
+        ("gluPickMatrix(20, 20, 5, 5, (0, 0, 240, 180))\n", ""),
+    ),
+    "zeros": Case(
+        ("matrix-zero",),
+        CAMERA + "matrix = np.diag((1.0, 1.0, 1.0, 0.0))\nmatrix[3, 2] = -5\n",
+        CLEAR + "glLoadMatrixd(matrix)\n" + QUAD,
+        ("1.0, 0.0))", "1.0, 1.0))"),
+    ),
+    "spot": Case(
+        ("spot",),
+        CAMERA
+        + CUBE
+        + LIGHT
+        + "glEnable(GL_COLOR_MATERIAL)\nglLightfv(GL_LIGHT0, GL_POSITION, (0, 0, 1, 1))\n"
+        + "glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 80)\n"
+        + "glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, (0, 0, 1))\n",
+        BEGIN + TURNED,
+        ("(0, 0, 1))", "(0, 0, -1))"),
+    ),
+    "attenuation": Case(
+        ("attenuation",),
+        CAMERA
+        + CUBE
+        + LIGHT
+        + "glEnable(GL_COLOR_MATERIAL)\nglLightfv(GL_LIGHT0, GL_POSITION, (9, 9, 9, 1))\n"
+        + "glLightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 1)\n",
+        BEGIN + TURNED,
+        ("ATTENUATION, 1)", "ATTENUATION, 0.001)"),
+    ),
+    "material of the back": Case(
+        ("material-face",),
+        CAMERA + CUBE + LIGHT,
+        BEGIN + "glMaterialfv(GL_BACK, GL_DIFFUSE, (0.9, 0.1, 0.1, 1))\n" + TURNED,
+        ("GL_BACK", "GL_FRONT"),
+    ),
+    "specular colours": Case(
+        ("color-material-which",),
+        CAMERA
+        + CUBE
+        + LIGHT
+        + "glColorMaterial(GL_FRONT, GL_SPECULAR)\nglEnable(GL_COLOR_MATERIAL)\n",
+        BEGIN + "glColor3f(0.9, 0.1, 0.1)\n" + TURNED,
+        ("GL_SPECULAR", "GL_AMBIENT_AND_DIFFUSE"),
+    ),
 }

@@ -233,6 +233,10 @@ CAUSES: Texts = {
     "push-without-pop.mend": "call glPopMatrix() when the object is drawn",
     "behind": "{behind} of {n} vertices lie behind the eye, which looks along -z.",
     "behind.mend": "move the shape away from the eye: to a negative z, in {call}",
+    "around-the-eye": "The shape of line {line} is drawn where the camera stands, and fills the "
+    "picture from inside.",
+    "around-the-eye.mend": "move it away by glTranslatef before it is drawn, after glLoadIdentity "
+    "and between glPushMatrix and glPopMatrix",
     "beyond-near": "The shape is {nearest} to {farthest} away, in front of the near plane at "
     "{near}, which cuts it off.",
     "beyond-near.mend": "write a near plane below {nearest}, in {call}",

@@ -52,6 +52,8 @@ def instead_of_glu(survey: Survey, note: GluCall, args: Sequence[float]) -> Chan
         return with_matrix(mode, lambda d: matrix_of(d, mode) @ fixed, survey.shapes)
     instead: dict[str, Any] = {str(number): () for number in numbers}
     if not instead:
+        if note.begin > frame:
+            return Change(after={str(note.begin - 1): [lambda: function(*args)]})
         return Change(before={str(note.begin): [lambda: function(*args)]})
     instead[str(note.begin)] = [lambda: function(*args)]
     return Change(instead=instead)

@@ -136,73 +136,89 @@ def _point(call: Call, buffer: int, args: Any = None) -> None:
 def _pointer(
     survey: Survey, draw: Drawn, kind: str, call: Call, buffer: int, buffers: Buffers
 ) -> Iterator[Suspect]:
-    size = 3 if call.name == "glNormalPointer" else int(call.args[0])
-    type_ = int(call.args[-3])
-    stride, pointer = int(call.args[-2]), call.args[-1]
-    wanted = np.dtype(TYPES[type_]) if type_ in TYPES else None
-    if wanted is None:
+    """Yield what is wrong with an array, the likeliest mistake alone."""
+    type_, stride, pointer = int(call.args[-3]), int(call.args[-2]), call.args[-1]
+    if type_ not in TYPES:
         return
     if buffer and isinstance(pointer, (int, np.integer)) and not isinstance(pointer, bool):
-        offset = int(pointer)
-        yield _changed(
-            "offset-int",
-            draw,
-            kind,
-            call,
-            buffer,
-            (*call.args[:-1], ctypes.c_void_p(offset)),
-            94,
-            f"{kind}_POINTER",
-            offset,
-            {"offset": offset, "call": written(call)},
-        )
+        yield _int_offset(draw, kind, call, buffer)
         return
 
     stored = buffers.data.get(buffer) if buffer else None
-    alone = sum(1 for _, at in buffers.at[draw.number][0].values() if at == buffer) == 1
-    data = pointer if isinstance(pointer, np.ndarray) else stored[1] if stored and alone else None
-    if data is not None and stride == 0:
-        wrong = _other_size(draw, kind, call, data, size)
-        if wrong is not None:
-            yield wrong
-            return
+    if stored is not None and _other_numbers(stored[1], type_):
+        yield _other_dtype(survey, draw, kind, type_, buffer, stored)
+        return
+
+    size = 3 if call.name == "glNormalPointer" else int(call.args[0])
+    data = _rows(draw, buffer, buffers, pointer)
+    wrong = _other_size(draw, kind, call, data, size) if stride == 0 else None
+    if wrong is not None:
+        yield wrong
+        return
+    wanted = np.dtype(TYPES[type_])
     if kind == "GL_COLOR_ARRAY":
         yield from _color_range(draw, call, data, wanted)
-
     if stored is not None:
-        upload, array = stored
-        if array.dtype != wanted and array.dtype.fields is None and array.dtype != np.uint8:
-            converted = np.ascontiguousarray(array.astype(wanted))
-            yield Suspect(
-                "dtype",
-                at=upload,
-                change=Change(
-                    first=[_refill(buffer, converted)],
-                    after=_after_upload(upload, buffer, converted),
-                ),
-                strength=95,
-                state=f"{kind}_TYPE",
-                value=str(array.dtype),
-                values={
-                    "dtype": str(array.dtype),
-                    "wanted": TYPES[type_],
-                    "type": TYPE_NAMES[type_],
-                },
-                draws=[draw],
-                source=assigned(survey, upload),
-            )
-            return
-        row = array.dtype.itemsize * (array.shape[-1] if array.ndim > 1 else 1)
-        element = wanted.itemsize * size
-        yield from _stride(draw, kind, call, buffer, stride, row if array.ndim > 1 else 0, element)
-    elif isinstance(pointer, np.ndarray):
-        row = pointer.strides[0] if pointer.ndim > 1 else 0
-        yield from _stride(draw, kind, call, 0, stride, row, wanted.itemsize * size)
+        array = stored[1]
+        row = array.dtype.itemsize * array.shape[-1] if array.ndim > 1 else 0
+        yield from _stride(draw, kind, call, buffer, stride, row, wanted.itemsize * size)
 
 
-def _other_size(draw: Drawn, kind: str, call: Call, data: np.ndarray, size: int) -> Suspect | None:
+def _rows(draw: Drawn, buffer: int, buffers: Buffers, pointer: Any) -> np.ndarray | None:
+    """Return the array that a pointer alone reads; None for one of several in a buffer."""
+    if isinstance(pointer, np.ndarray):
+        return pointer
+    sharing = [at for _, at in buffers.at[draw.number][0].values() if at == buffer]
+    stored = buffers.data.get(buffer) if buffer else None
+    return stored[1] if stored is not None and len(sharing) == 1 else None
+
+
+def _int_offset(draw: Drawn, kind: str, call: Call, buffer: int) -> Suspect:
+    offset = int(call.args[-1])
+    return _changed(
+        "offset-int",
+        draw,
+        kind,
+        call,
+        buffer,
+        (*call.args[:-1], ctypes.c_void_p(offset)),
+        94,
+        f"{kind}_POINTER",
+        offset,
+        {"offset": offset, "call": written(call)},
+    )
+
+
+def _other_numbers(array: np.ndarray, type_: int) -> bool:
+    """Return whether an array holds numbers of another type than OpenGL is told; bytes do not."""
+    return array.dtype != TYPES[type_] and array.dtype.fields is None and array.dtype != np.uint8
+
+
+def _other_dtype(
+    survey: Survey, draw: Drawn, kind: str, type_: int, buffer: int, stored: tuple[Call, np.ndarray]
+) -> Suspect:
+    upload, array = stored
+    converted = np.ascontiguousarray(array.astype(TYPES[type_]))
+    return Suspect(
+        "dtype",
+        at=upload,
+        change=Change(
+            first=[_refill(buffer, converted)], after=_after_upload(upload, buffer, converted)
+        ),
+        strength=95,
+        state=f"{kind}_TYPE",
+        value=str(array.dtype),
+        values={"dtype": str(array.dtype), "wanted": TYPES[type_], "type": TYPE_NAMES[type_]},
+        draws=[draw],
+        source=assigned(survey, upload),
+    )
+
+
+def _other_size(
+    draw: Drawn, kind: str, call: Call, data: np.ndarray | None, size: int
+) -> Suspect | None:
     """Suspect that a pointer takes more or fewer numbers than a row of its array has."""
-    columns = data.shape[-1] if data.ndim == 2 else size
+    columns = data.shape[-1] if data is not None and data.ndim == 2 else size
     if call.name == "glNormalPointer" or columns == size or not 2 <= columns <= 4:
         return None
     if columns == 4 and size == 3:
@@ -504,15 +520,7 @@ def array_left(survey: Survey) -> Iterator[Suspect]:
             yield Suspect(
                 "array-left",
                 at=color,
-                change=Change(
-                    before={
-                        draw.place: [
-                            ("glDisableClientState", (gl.GL_COLOR_ARRAY,)),
-                            (setter.name, setter.args),
-                        ]
-                    },
-                    after={draw.place: [("glEnableClientState", (gl.GL_COLOR_ARRAY,))]},
-                ),
+                change=_colored_by(draw, setter),
                 strength=87,
                 state="GL_COLOR_ARRAY",
                 value=True,
@@ -543,6 +551,19 @@ def lists(survey: Survey) -> Iterator[Suspect]:
         return
 
 
+def _colored_by(draw: Drawn, color: Call) -> Change:
+    """Return the change that makes a draw in the colour of a call, without its array of colours."""
+
+    def act() -> None:
+        for name, given in draw.call.arrays:
+            getattr(gl, name)(*given)
+        gl.glDisableClientState(gl.GL_COLOR_ARRAY)
+        getattr(gl, color.name)(*color.args)
+        getattr(gl, draw.call.name)(*draw.call.args)
+
+    return Change(instead={draw.place: [act]})
+
+
 def _unknown(survey: Survey) -> list[Call]:
     """Return the calls that execute a display list of which nothing is known, or an empty one."""
     return [c for c in survey.calls if c.name in ("glCallList", "glCallLists") and not c.listed]
@@ -555,10 +576,15 @@ def _from_base(survey: Survey, call: Call) -> Iterator[Suspect]:
     base = int(based[-1].args[0]) if based else 0
     if not known or base == known[0]:
         return
+
+    def counted_from_first() -> None:
+        gl.glListBase(known[0])
+        gl.glCallLists(*call.args)
+
     yield Suspect(
         "list-base",
         at=based[-1] if based else call,
-        change=Change(before={str(call.number): [("glListBase", (known[0],))]}),
+        change=Change(instead={str(call.number): [counted_from_first]}),
         strength=80,
         state="GL_LIST_BASE",
         value=base,

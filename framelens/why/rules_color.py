@@ -147,37 +147,44 @@ def _colored(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> It
         return
 
     if draw.state["GL_LIGHTING"]:
-        place = str(raster.number)
-        yield Suspect(
-            "text-lit",
-            at=raster,
-            change=Change(
-                before={place: [("glDisable", (gl.GL_LIGHTING,))]},
-                after={place: [("glEnable", (gl.GL_LIGHTING,))]},
-            ),
-            strength=88,
-            state="GL_LIGHTING",
-            value=True,
-            values={"raster": raster.site.line},
-            draws=mine,
-        )
-
+        yield _lit_text(raster, mine)
     if draw.state["GL_TEXTURE0.GL_TEXTURE_2D"]:
-        place = str(raster.number)
-        around = {
-            "before": {place: [("glDisable", (gl.GL_TEXTURE_2D,))]},
-            "after": {mine[-1].place: [("glEnable", (gl.GL_TEXTURE_2D,))]},
-        }
-        yield Suspect(
-            "text-textured",
-            at=draw.setter("GL_TEXTURE0.GL_TEXTURE_2D") or raster,
-            change=Change(**around),  # type: ignore[arg-type]
-            strength=87,
-            state="GL_TEXTURE_2D",
-            value=True,
-            values={"raster": raster.site.line},
-            draws=mine,
-        )
+        yield _textured_text(draw, raster, mine)
+
+
+def _lit_text(raster: Call, mine: list[Drawn]) -> Suspect:
+    place = str(raster.number)
+    return Suspect(
+        "text-lit",
+        at=raster,
+        change=Change(
+            before={place: [("glDisable", (gl.GL_LIGHTING,))]},
+            after={place: [("glEnable", (gl.GL_LIGHTING,))]},
+        ),
+        strength=88,
+        state="GL_LIGHTING",
+        value=True,
+        values={"raster": raster.site.line},
+        draws=mine,
+    )
+
+
+def _textured_text(draw: Drawn, raster: Call, mine: list[Drawn]) -> Suspect:
+    place = str(raster.number)
+    around = {
+        "before": {place: [("glDisable", (gl.GL_TEXTURE_2D,))]},
+        "after": {mine[-1].place: [("glEnable", (gl.GL_TEXTURE_2D,))]},
+    }
+    return Suspect(
+        "text-textured",
+        at=draw.setter("GL_TEXTURE0.GL_TEXTURE_2D") or raster,
+        change=Change(**around),  # type: ignore[arg-type]
+        strength=87,
+        state="GL_TEXTURE_2D",
+        value=True,
+        values={"raster": raster.site.line},
+        draws=mine,
+    )
 
 
 RULES = (ranges, texts)

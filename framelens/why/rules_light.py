@@ -435,7 +435,10 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     if not plain or any(d.state["GL_COLOR_MATERIAL"] for d in mine):
         return
     diffuse = [
-        d for d in plain if d.setter("GL_FRONT.GL_DIFFUSE") is None and not _within(d, "glMaterial")
+        d
+        for d in plain
+        if not any(d.setter(f"{face}.GL_DIFFUSE") for face in ("GL_FRONT", "GL_BACK"))
+        and not _within(d, "glMaterial")
     ]
     colored = [
         d for d in diffuse if d.setter("GL_CURRENT_COLOR") is not None or _within(d, "glColor")

@@ -3,7 +3,7 @@
 Behind the eye, before the near plane, beyond the far one, beside; and what a near plane cuts.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,7 @@ from framelens.why.suspects import (
     near_far,
     ortho,
     perspective,
+    surrounds,
     with_matrix,
     with_planes,
     written,
@@ -243,6 +244,37 @@ def _sides(mine: list[Drawn]) -> list[str]:
     return names or ["outside"]
 
 
+def around_the_eye(survey: Survey) -> Iterator[Suspect]:
+    """A shape that is drawn where the camera stands, and fills the picture from inside."""
+    area = survey.base.shape[0] * survey.base.shape[1]
+    if not survey.empty:
+        return
+    filling = [draw for draw in survey.shapes if draw.passed >= 0.95 * area and surrounds([draw])]
+    for draw in filling[:1]:
+        placed = draw.placed
+        if placed is None or np.abs(matrix_of(draw, "GL_MODELVIEW")[3, :3]).max() > 1e-6:
+            return  # it has been moved, so the camera may well be meant to stand inside it
+        away = np.eye(4)
+        away[3, 2] = -3.0 * float(np.ptp(placed.eye[:, :3], axis=0).max())
+        moves = [c for c in survey.calls if c.number < draw.number and c.name.startswith(MATRIX)]
+        yield Suspect(
+            "around-the-eye",
+            at=at_of(survey, moves[-1]) if moves else draw.call,
+            change=_moved(away, [draw]),
+            strength=78,
+            state="GL_MODELVIEW_MATRIX",
+            value=[0.0, 0.0, 0.0],
+            values={"line": draw.call.site.line},
+            draws=[draw],
+            reach=area,  # where it is seen, then, nobody knows
+        )
+
+
+def _moved(by: np.ndarray, draws: Sequence[Drawn]) -> Change:
+    """Return the change that moves draws in front of the camera."""
+    return with_matrix("GL_MODELVIEW", lambda d: matrix_of(d, "GL_MODELVIEW") @ by, draws)
+
+
 def left_behind(survey: Survey) -> Iterator[Suspect]:
     """A function, called several times, that moves what it draws and does not move back.
 
@@ -316,4 +348,4 @@ def near_cuts(survey: Survey) -> Iterator[Suspect]:
         yield _other_plane(survey, mine, "near", max(nearest, values["near"] / 50) / 4, values)
 
 
-RULES = (outside, left_behind, near_cuts)
+RULES = (outside, around_the_eye, left_behind, near_cuts)

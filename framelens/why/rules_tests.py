@@ -24,6 +24,7 @@ from framelens.why.suspects import (
     off,
     on,
     perspective,
+    surrounds,
     with_matrix,
     with_planes,
     with_state,
@@ -55,7 +56,7 @@ def _setter(draws: Sequence[Drawn], name: str) -> Any:
 def lifted(survey: Survey) -> Iterator[Suspect]:
     """Draws that show nothing, and the test that stops them."""
     for group in groups(survey):
-        yield from _culled(survey, group)
+        yield from _culled(group)
         yield from _tested(survey, group)
         yield from _depth(survey, group)
         yield from _blended(group)
@@ -63,59 +64,58 @@ def lifted(survey: Survey) -> Iterator[Suspect]:
 
 
 def _tested(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
-    masked = [draw for draw in group if _colorless(draw) and not _for_depth(survey, draw)]
-    group = [draw for draw in group if not draw.passed]
-    if mine := _of(group, "GL_ALPHA_TEST"):
-        ref = mine[0].state["GL_ALPHA_TEST_REF"]
+    """Yield each test that may stop what has fragments, and lets none of them pass."""
+    stopped = [draw for draw in group if not draw.passed]
+    yield from _alpha_tested(stopped)
+    yield from _stencil_tested(stopped)
+    yield from _scissored(stopped)
+    yield from _clipped(stopped)
+    yield from _color_masked(survey, group)
+    yield from _stippled(stopped)
+
+
+def _lift(
+    cause: str, test: str, draws: list[Drawn], strength: float, **values: Any
+) -> Iterator[Suspect]:
+    """Yield that a test stops those of the draws for which it is on; the change disables it."""
+    mine = _of(draws, test)
+    if mine:
         yield Suspect(
-            "alpha-test",
-            at=_setter(mine, "GL_ALPHA_TEST"),
-            change=off("GL_ALPHA_TEST", mine),
-            strength=84,
-            state="GL_ALPHA_TEST",
+            cause,
+            at=_setter(mine, test),
+            change=off(test, mine),
+            strength=strength,
+            state=test,
             value=True,
-            values={"function": mine[0].state["GL_ALPHA_TEST_FUNC"], "reference": ref},
+            values={key: mine[0].state[name] for key, name in values.items()},
             draws=mine,
         )
 
-    if mine := [d for d in _of(group, "GL_STENCIL_TEST") if not _marks(d)]:
-        state = mine[0].state
-        yield Suspect(
-            "stencil-test",
-            at=_setter(mine, "GL_STENCIL_TEST"),
-            change=off("GL_STENCIL_TEST", mine),
-            strength=84,
-            state="GL_STENCIL_TEST",
-            value=True,
-            values={"function": state["GL_STENCIL_FUNC"], "reference": state["GL_STENCIL_REF"]},
-            draws=mine,
-        )
 
-    if mine := _of(group, "GL_SCISSOR_TEST"):
-        yield Suspect(
-            "scissor-test",
-            at=_setter(mine, "GL_SCISSOR_TEST"),
-            change=off("GL_SCISSOR_TEST", mine),
-            strength=86,
-            state="GL_SCISSOR_TEST",
-            value=True,
-            values={"box": mine[0].state["GL_SCISSOR_BOX"]},
-            draws=mine,
-        )
+def _alpha_tested(draws: list[Drawn]) -> Iterator[Suspect]:
+    names = {"function": "GL_ALPHA_TEST_FUNC", "reference": "GL_ALPHA_TEST_REF"}
+    yield from _lift("alpha-test", "GL_ALPHA_TEST", draws, 84, **names)
 
+
+def _stencil_tested(draws: list[Drawn]) -> Iterator[Suspect]:
+    names = {"function": "GL_STENCIL_FUNC", "reference": "GL_STENCIL_REF"}
+    seen = [draw for draw in draws if not _marks(draw)]
+    yield from _lift("stencil-test", "GL_STENCIL_TEST", seen, 84, **names)
+
+
+def _scissored(draws: list[Drawn]) -> Iterator[Suspect]:
+    yield from _lift("scissor-test", "GL_SCISSOR_TEST", draws, 86, box="GL_SCISSOR_BOX")
+
+
+def _clipped(draws: list[Drawn]) -> Iterator[Suspect]:
     for plane in range(6):
-        if mine := _of(group, f"GL_CLIP_PLANE{plane}"):
-            yield Suspect(
-                "clip-plane",
-                at=_setter(mine, f"GL_CLIP_PLANE{plane}"),
-                change=off(f"GL_CLIP_PLANE{plane}", mine),
-                strength=78,
-                state=f"GL_CLIP_PLANE{plane}",
-                value=True,
-                values={"plane": plane},
-                draws=mine,
-            )
+        for suspect in _lift("clip-plane", f"GL_CLIP_PLANE{plane}", draws, 78):
+            suspect.values["plane"] = plane
+            yield suspect
 
+
+def _color_masked(survey: Survey, draws: list[Drawn]) -> Iterator[Suspect]:
+    masked = [draw for draw in draws if _colorless(draw) and not _for_depth(survey, draw)]
     if masked and not any(draw.state["GL_STENCIL_TEST"] for draw in masked):
         yield Suspect(
             "color-mask",
@@ -127,28 +127,13 @@ def _tested(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             draws=masked,
         )
 
-    lines = [d for d in _of(group, "GL_LINE_STIPPLE") if d.vertices and d.vertices.mode in LINES]
-    if lines:
-        yield Suspect(
-            "line-stipple",
-            at=_setter(lines, "GL_LINE_STIPPLE_PATTERN") or _setter(lines, "GL_LINE_STIPPLE"),
-            change=off("GL_LINE_STIPPLE", lines),
-            strength=84,
-            state="GL_LINE_STIPPLE",
-            value=True,
-            draws=lines,
-        )
 
-    if mine := _of(group, "GL_POLYGON_STIPPLE"):
-        yield Suspect(
-            "stipple",
-            at=_setter(mine, "GL_POLYGON_STIPPLE"),
-            change=off("GL_POLYGON_STIPPLE", mine),
-            strength=70,
-            state="GL_POLYGON_STIPPLE",
-            value=True,
-            draws=mine,
-        )
+def _stippled(draws: list[Drawn]) -> Iterator[Suspect]:
+    lines = [draw for draw in draws if draw.vertices and draw.vertices.mode in LINES]
+    for suspect in _lift("line-stipple", "GL_LINE_STIPPLE", lines, 84):
+        suspect.at = _setter(lines, "GL_LINE_STIPPLE_PATTERN") or suspect.at
+        yield suspect
+    yield from _lift("stipple", "GL_POLYGON_STIPPLE", draws, 70)
 
 
 LINES = ("GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP")
@@ -171,77 +156,79 @@ def _marks(draw: Drawn) -> bool:
     return bool(draw.state["GL_STENCIL_FAIL"] != "GL_KEEP")
 
 
-def _culled(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
+def _culled(group: list[Drawn]) -> Iterator[Suspect]:
     mine = [d for d in _of(group, "GL_CULL_FACE") if not d.passed]
     mine = [d for d in mine if any(d.state["GL_COLOR_WRITEMASK"])]
     if mine:
-        yield from _culling(survey, mine, 80)
+        yield from _culling(mine, 80)
 
 
-def _culling(survey: Survey, mine: list[Drawn], strength: float) -> Iterator[Suspect]:
+def _culling(mine: list[Drawn], strength: float) -> Iterator[Suspect]:
     """Yield why draws are culled: the camera inside, a mirrored matrix, or the winding."""
-    state = mine[0].state
-    lifted_ = off("GL_CULL_FACE", mine)
-    if state["GL_CULL_FACE_MODE"] != "GL_BACK":
-        yield Suspect(
-            "cull-front",
-            at=_setter(mine, "GL_CULL_FACE_MODE"),
-            change=with_state(["POLYGON"], [("glCullFace", (gl.GL_BACK,))], mine),
-            strength=strength + 6,
-            state="GL_CULL_FACE_MODE",
-            value=state["GL_CULL_FACE_MODE"],
-            draws=mine,
-        )
+    yield from _other_faces(mine, strength)
+    if _mirroring(mine[0]):
+        yield _mirrored(mine, strength + 7)
+    elif surrounds(mine):
+        yield _seen_from_inside(mine, strength + 4)
+    else:
+        yield _culled_by_winding(mine, strength)
 
-    if state["GL_FRONT_FACE"] != "GL_CCW":
-        yield Suspect(
-            "front-face",
-            at=_setter(mine, "GL_FRONT_FACE"),
-            change=with_state(["POLYGON"], [("glFrontFace", (gl.GL_CCW,))], mine),
-            strength=strength + 5,
-            state="GL_FRONT_FACE",
-            value=state["GL_FRONT_FACE"],
-            draws=mine,
-        )
 
-    matrix = matrix_of(mine[0], "GL_MODELVIEW")
-    affine = np.allclose(matrix[:, 3], (0.0, 0.0, 0.0, 1.0))
-    if affine and np.linalg.det(matrix[:3, :3]) < 0:
-        scale = _negative_scale(mine[0])
-        yield Suspect(
-            "mirrored",
-            at=scale or mine[0].call,
-            change=lifted_,
-            strength=strength + 7,
-            state="GL_FRONT_FACE",
-            value=state["GL_FRONT_FACE"],
-            draws=mine,
-        )
-        return
+def _other_faces(mine: list[Drawn], strength: float) -> Iterator[Suspect]:
+    """Yield that front faces are culled, or that the front is where the back is for most."""
+    for name, plain, cause, function, likelier in (
+        ("GL_CULL_FACE_MODE", "GL_BACK", "cull-front", "glCullFace", 6),
+        ("GL_FRONT_FACE", "GL_CCW", "front-face", "glFrontFace", 5),
+    ):
+        value = mine[0].state[name]
+        if value != plain:
+            yield Suspect(
+                cause,
+                at=_setter(mine, name),
+                change=with_state(["POLYGON"], [(function, (cap(plain),))], mine),
+                strength=strength + likelier,
+                state=name,
+                value=value,
+                draws=mine,
+            )
 
-    if _inside(mine):
-        at = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
-        moves = [call for call in at if call.name.startswith("glTranslate")]
-        yield Suspect(
-            "inside",
-            at=moves[-1] if moves else mine[0].call,
-            change=lifted_,
-            strength=strength + 4,
-            state="GL_CULL_FACE",
-            value=True,
-            values={"cull": _line(_setter(mine, "GL_CULL_FACE"))},
-            draws=mine,
-        )
-        return
 
-    yield Suspect(
-        "culled",
-        at=_setter(mine, "GL_CULL_FACE"),
-        change=lifted_,
+def _mirrored(mine: list[Drawn], strength: float) -> Suspect:
+    return Suspect(
+        "mirrored",
+        at=_negative_scale(mine[0]) or mine[0].call,
+        change=off("GL_CULL_FACE", mine),
+        strength=strength,
+        state="GL_FRONT_FACE",
+        value=mine[0].state["GL_FRONT_FACE"],
+        draws=mine,
+    )
+
+
+def _seen_from_inside(mine: list[Drawn], strength: float) -> Suspect:
+    chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
+    moves = [call for call in chain if call.name.startswith("glTranslate")]
+    return Suspect(
+        "inside",
+        at=moves[-1] if moves else mine[0].call,
+        change=off("GL_CULL_FACE", mine),
         strength=strength,
         state="GL_CULL_FACE",
         value=True,
-        values={"winding": state["GL_FRONT_FACE"], "drawn": mine[0].call.site.line},
+        values={"cull": _line(_setter(mine, "GL_CULL_FACE"))},
+        draws=mine,
+    )
+
+
+def _culled_by_winding(mine: list[Drawn], strength: float) -> Suspect:
+    return Suspect(
+        "culled",
+        at=_setter(mine, "GL_CULL_FACE"),
+        change=off("GL_CULL_FACE", mine),
+        strength=strength,
+        state="GL_CULL_FACE",
+        value=True,
+        values={"winding": mine[0].state["GL_FRONT_FACE"], "drawn": mine[0].call.site.line},
         draws=mine,
     )
 
@@ -257,16 +244,6 @@ def _negative_scale(draw: Drawn) -> Any:
     return None
 
 
-def _inside(draws: Sequence[Drawn]) -> bool:
-    """Return whether the eye is among a draw's vertices, on all sides of it."""
-    points = [draw.placed.eye[:, :3] for draw in draws if draw.placed is not None]
-    if not points:
-        return False
-    eye = np.concatenate(points)
-    low, high = eye.min(axis=0), eye.max(axis=0)
-    return bool(len(eye) > 7 and (low < 0).all() and (high > 0).all())
-
-
 def odd_faces(survey: Survey) -> Iterator[Suspect]:
     """Front faces that are culled in all of a frame: what is seen of the shapes is their inside.
 
@@ -279,15 +256,14 @@ def odd_faces(survey: Survey) -> Iterator[Suspect]:
         return
     mode, front = settings.pop()
     if (mode == "GL_BACK") != (front == "GL_CCW"):
-        yield from (each for each in _culling(survey, culled, 70) if each.cause in ODD_FACES)
-
-
-ODD_FACES = ("cull-front", "front-face")
+        yield from _other_faces(culled, 70)
 
 
 def _mirroring(draw: Drawn) -> bool:
     """Return whether a draw's modelview matrix turns the winding round."""
-    return bool(np.linalg.det(matrix_of(draw, "GL_MODELVIEW")[:3, :3]) < 0)
+    matrix = matrix_of(draw, "GL_MODELVIEW")
+    affine = np.allclose(matrix[:, 3], (0.0, 0.0, 0.0, 1.0))
+    return bool(affine and np.linalg.det(matrix[:3, :3]) < 0)
 
 
 def holes(survey: Survey) -> Iterator[Suspect]:
@@ -311,12 +287,12 @@ def holes(survey: Survey) -> Iterator[Suspect]:
                 values={"faces": len(bad), "face": bad[0] + 1},
                 draws=[draw],
             )
-        elif closed(draw) and draw.state["GL_DEPTH_TEST"] and not _inside([draw]):
+        elif closed(draw) and draw.state["GL_DEPTH_TEST"] and not surrounds([draw]):
             # Lifting culling adds nothing to a closed shape that is wound the right way.
             lifted_ = survey.trial.picture(off("GL_CULL_FACE", [draw]))
             if lifted_ is None or changed(survey.base, lifted_).sum() < draw.covered // 8:
                 continue
-            for suspect in _culling(survey, [draw], 84):
+            for suspect in _culling([draw], 84):
                 if suspect.cause == "culled":
                     suspect.cause = "inside-out"
                 suspect.least = draw.covered // 8
@@ -417,6 +393,14 @@ def near_zero(survey: Survey) -> Iterator[Suspect]:
 
 
 def _blended(group: list[Drawn]) -> Iterator[Suspect]:
+    """Yield what leaves the pixels of fragments that pass as they were."""
+    yield from _by_logic(group)
+    plain = [draw for draw in group if not draw.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
+    yield from _without_effect(plain)
+    yield from _same_color(plain)
+
+
+def _by_logic(group: list[Drawn]) -> Iterator[Suspect]:
     if mine := [d for d in _of(group, "GL_COLOR_LOGIC_OP") if d.passed and not d.changed]:
         yield Suspect(
             "logic-op",
@@ -428,7 +412,10 @@ def _blended(group: list[Drawn]) -> Iterator[Suspect]:
             values={"operation": mine[0].state["GL_LOGIC_OP_MODE"]},
             draws=mine,
         )
-    group = [d for d in group if not d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
+
+
+def _without_effect(group: list[Drawn]) -> Iterator[Suspect]:
+    """Yield that blending leaves the picture as it was."""
     mine = [d for d in _of(group, "GL_BLEND") if d.passed and not d.changed]
     if mine:
         alpha = mine[0].state["GL_CURRENT_COLOR"][3]
@@ -448,6 +435,9 @@ def _blended(group: list[Drawn]) -> Iterator[Suspect]:
             draws=mine,
         )
 
+
+def _same_color(group: list[Drawn]) -> Iterator[Suspect]:
+    """Yield that a shape has the colour that is behind it."""
     plain = [
         d
         for d in group

@@ -247,91 +247,111 @@ def untested() -> Around:
     )
 
 
+class _Walk:
+    """Notes each draw of a frame while it is made, and what OpenGL refuses."""
+
+    def __init__(self, tape: Tape, trial: Trial, pixel: tuple[int, int] | None) -> None:
+        self.draws: list[Drawn] = []
+        self.errors: list[tuple[str, Call, str]] = []
+        self._past = tape.past
+        self._trial = trial
+        self._pixel = pixel
+        self._pictures = len(trial.draws) <= PICTURES
+        self._last: np.ndarray | None = None  # the picture so far
+        self._setters = tape.past.setters.copied() if tape.past else Setters()
+        self._kept: Setters | None = None  # a copy, as long as nothing is set
+
+    def make(self, item: Item, draw: Callable[[], None]) -> None:
+        """Note a draw, and make it."""
+        found = self._noted(item)
+        self.draws.append(found)
+        if self._last is None and self._pictures:
+            self._last = self._trial.read()
+        try:
+            draw()
+        except Exception as error:
+            found.error = _short(error)
+            self.errors.append((item.place, item.call, found.error))
+
+        _drain(self.errors, item)
+        for step in found.steps:
+            self._setters.follow(step.call)
+        self._kept = None
+        if self._pictures:
+            self._compare(found)
+
+    def step(self, item: Item) -> None:
+        """Follow a call that draws nothing."""
+        self._setters.follow(item.call)
+        self._kept = None
+        _drain(self.errors, item)
+
+    def _noted(self, item: Item) -> Drawn:
+        """Return what there is to know of a draw before it is made."""
+        assert item.draw is not None
+        _read_arrays(item)
+        if self._kept is None:
+            self._kept = self._setters.copied()
+        number = item.draw.first.number
+        chain = self._past.chains.get(number, ()) if self._past else ()
+        found = Drawn(len(self.draws), item, read_some(NAMES), self._kept, chain, number)
+        if len(self.draws) < MOST_DRAWS and not found.clears:
+            found.vertices = vertices(item.draw)
+        return found
+
+    def _compare(self, found: Drawn) -> None:
+        """Note which pixels a draw has changed."""
+        after = self._trial.read()
+        if after is not None and self._last is not None:
+            found.changed = int(changed(self._last, after, 1).sum())
+        self._last = after
+        if self._pixel and after is not None:
+            found.color = tuple(int(c) for c in after[self._pixel[1], self._pixel[0]])
+
+
 def survey(tape: Tape, pixel: tuple[int, int] | None) -> Survey:
     """Walk a tape's frame, in its context; ``pixel`` is asked about, from the top left."""
     flat = flattened(tape)
     tape = flat.tape
     trial = Trial(tape)
-    past = tape.past
-    setters = past.setters.copied() if past else Setters()
-    draws: list[Drawn] = []
-    errors: list[tuple[str, Call, str]] = []
-    pictures = len(trial.draws) <= PICTURES
-    height = tape.size[1]
-    last: np.ndarray | None = None
-    version = 0
-    kept: tuple[int, Setters] = (-1, setters)
-
-    def frozen_setters() -> Setters:
-        nonlocal kept
-        if kept[0] != version:
-            kept = version, setters.copied()
-        return kept[1]
-
-    def make(item: Item, draw: Any) -> None:
-        nonlocal version, last
-        assert item.draw is not None
-        _read_arrays(item)
-        found = Drawn(
-            len(draws), item, read_some(NAMES), frozen_setters(), (), item.draw.first.number
-        )
-        if past:
-            found.chain = past.chains.get(found.number, ())
-
-        if len(draws) < MOST_DRAWS and not found.clears:
-            found.vertices = vertices(item.draw)
-        draws.append(found)
-        if last is None and pictures:
-            last = trial.read()
-        try:
-            draw()
-        except Exception as error:
-            found.error = _short(error)
-            errors.append((item.place, item.call, found.error))
-
-        _drain(errors, item)
-        for step in item.draw.steps:
-            setters.follow(step.call)
-        version += 1
-        if pictures:
-            after = trial.read()
-            if after is not None and last is not None:
-                found.changed = int(changed(last, after, 1).sum())
-            last = after
-            if pixel and after is not None:
-                found.color = tuple(int(c) for c in after[pixel[1], pixel[0]])
-
-    def step(item: Item) -> None:
-        nonlocal version
-        setters.follow(item.call)
-        version += 1
-        _drain(errors, item)
-
+    walk = _Walk(tape, trial, pixel)
+    draws, errors = walk.draws, walk.errors
     try:
-        trial.run(NOTHING, make, step)
+        trial.run(NOTHING, walk.make, walk.step)
     except Refused as error:
         place = trial.items[len(draws)].place if draws else ""
         call = draws[-1].call if draws else (tape.frame[-1] if tape.frame else None)
         if call is not None:
             errors.append((place, call, str(error)))
+
+    _count(trial, draws, pixel)
+    base = _base(tape, trial)
+    return Survey(tape, trial, pixel, base, draws, tape.frame, errors, flat.place, flat.called)
+
+
+def _base(tape: Tape, trial: Trial) -> np.ndarray:
+    """Return the picture of the frame as it is; black where its program ends in it."""
     base = trial.picture()
     if base is None:
         base = trial.read()
-    if base is None or (past is not None and past.error is not None):
-        # A program that ends in this frame shows none of it.
-        base = np.zeros((*tape.size[::-1], 3), np.uint8)
-    found = Survey(tape, trial, pixel, base, draws, tape.frame, errors, flat.place, flat.called)
-    passed = trial.counts() or [0] * len(draws)
-    covered = trial.counts(Change(around=(untested(),))) or [0] * len(draws)
+    if base is None or (tape.past is not None and tape.past.error is not None):
+        return np.zeros((*tape.size[::-1], 3), np.uint8)
+    return base
+
+
+def _count(trial: Trial, draws: Sequence[Drawn], pixel: tuple[int, int] | None) -> None:
+    """Count the fragments of draws with and without tests, of all and of the pixel."""
+    nothing = [0] * len(draws)
+    passed = trial.counts() or nothing
+    covered = trial.counts(Change(around=(untested(),))) or nothing
     for draw, inside, all_ in zip(draws, passed, covered, strict=False):
         draw.passed, draw.covered = inside, all_
     if pixel:
-        here = Pixel(pixel[0], height - 1 - pixel[1]).around()
-        at = trial.counts(Change(around=(here,))) or [0] * len(draws)
-        over = trial.counts(Change(around=(untested(), here))) or [0] * len(draws)
+        here = Pixel(pixel[0], trial.size[1] - 1 - pixel[1]).around()
+        at = trial.counts(Change(around=(here,))) or nothing
+        over = trial.counts(Change(around=(untested(), here))) or nothing
         for draw, inside, all_ in zip(draws, at, over, strict=False):
             draw.at_pixel = inside, all_
-    return found
 
 
 def _read_arrays(item: Item) -> None:

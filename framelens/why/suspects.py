@@ -151,6 +151,16 @@ def closed(draw: Drawn) -> bool:
     return bool(edges) and all(count == 2 for count in edges.values())
 
 
+def surrounds(draws: Sequence[Drawn]) -> bool:
+    """Return whether the eye is among a draw's vertices, on all sides of it."""
+    points = [draw.placed.eye[:, :3] for draw in draws if draw.placed is not None]
+    if not points:
+        return False
+    eye = np.concatenate(points)
+    low, high = eye.min(axis=0), eye.max(axis=0)
+    return bool(len(eye) > 7 and (low < 0).all() and (high > 0).all())
+
+
 def written(at: At) -> str:
     """Return a call as one writes it."""
     if at is None:
