@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from framelens.gl.seam import Call, GluCall
-from framelens.program.program import Chain
+from framelens.program.program_run import Chain
 from framelens.tape.steps import Step, steps
 from framelens.tape.tape import Tape
 

@@ -176,10 +176,10 @@ def _far_side(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
             values["position"] = position
 
         def turned(each: str = name) -> None:
-            x, y, z, w = mine[0].state[f"{each}.GL_POSITION"]
+            distant = mine[0].state[f"{each}.GL_POSITION"][3] == 0
             gl.glPushMatrix()
             gl.glLoadIdentity()
-            gl.glLightfv(cap(each), gl.GL_POSITION, (-x, -y, -z, w) if w == 0 else (0, 0, 0, 1))
+            gl.glLightfv(cap(each), gl.GL_POSITION, (0, 0, 1, 0) if distant else (0, 0, 0, 1))
             gl.glPopMatrix()
 
         yield Suspect(

@@ -12,7 +12,7 @@ import numpy as np
 
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.program.past import MATRIX
-from framelens.program.program import Chain
+from framelens.program.program_run import Chain
 from framelens.spec import spec
 from framelens.why.mends import (
     always,

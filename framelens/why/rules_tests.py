@@ -445,6 +445,7 @@ def _same_color(group: list[Drawn]) -> Iterator[Suspect]:
         and not d.changed
         and not d.state["GL_BLEND"]
         and not d.state["GL_COLOR_LOGIC_OP"]
+        and not d.state["GL_LIGHTING"]
         and any(d.state["GL_COLOR_WRITEMASK"])
     ]
     if plain:
