@@ -363,12 +363,13 @@ def test_an_interrupted_film_is_shorter_and_can_be_played(
     assert os.listdir(tmp_path) == [name]
 
 
-def test_a_film_interrupted_before_its_first_picture_leaves_the_former_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("count", [0, 7])
+def test_an_interrupted_film_leaves_the_former_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, count: int
 ) -> None:
     def interrupted(film: Film, workers: Executor, jobs: int):
+        yield from noise(count)
         raise KeyboardInterrupt
-        yield
 
     monkeypatch.setattr(making, "drawn", interrupted)
     (tmp_path / "film.mp4").write_bytes(b"former")

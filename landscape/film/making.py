@@ -25,11 +25,12 @@ def write(
     """Draw a film by ``jobs`` workers into a file; return how many frames it has.
 
     The workers are processes of this machine, or those of an ``executor``. The frames are fewer
-    than the film's after Ctrl-C; if there is none yet, KeyboardInterrupt goes on, and nothing is
-    written. InputError and NoOpenGLError, too, leave what stood there before.
+    than the film's after Ctrl-C. If there is none yet, or they would take the place of an earlier
+    file, KeyboardInterrupt goes on, and nothing is written. InputError and NoOpenGLError, too,
+    leave what stood there before.
     """
     encoded: Encoder | None = None
-    done = 0
+    done, earlier = 0, out.is_file()
     try:
         with (
             suppress(KeyboardInterrupt),
@@ -44,7 +45,7 @@ def write(
                         encoded.add(pixels)
                         done += 1
                     progress.step("frames")
-        if encoded is None or not done:
+        if encoded is None or not done or (earlier and done < film.frames):
             raise KeyboardInterrupt
         with interrupts_held():
             encoded.finish()
