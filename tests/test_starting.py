@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from commands import environment
+from commands import SECONDS, environment
 
 # Sends Ctrl-C to its own process when a module is looked for.
 INTERRUPTED = """
@@ -27,6 +27,22 @@ import os, sys
 for number in (0, 1, 2):
     os.close(number)
 os.execv(sys.executable, [sys.executable, "-m", *sys.argv[1:]])
+"""
+# A command that Ctrl-C has left, while a thread of it goes on.
+LEFT = """
+import atexit, sys, time
+from argparse import Namespace
+from concurrent.futures import ThreadPoolExecutor
+from framelens.commands.reporting import run_command
+
+def run(options):
+    atexit.register(print, "tidied up")
+    workers = ThreadPoolExecutor(1)
+    workers.submit(time.sleep, 3600)
+    workers.shutdown(wait=False)
+    raise KeyboardInterrupt
+
+sys.exit(run_command(None, lambda argv: Namespace(run=run)))
 """
 PROGRAM = """
 import glfw
@@ -68,3 +84,15 @@ def test_a_program_is_traced_with_all_standard_streams_closed(tmp_path: Path) ->
     )
     assert done.returncode == 0
     assert {path.name for path in tmp_path.iterdir()} == {"program.py", "strip.png"}
+
+
+def test_an_interrupted_command_waits_for_no_thread() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", LEFT],
+        env=environment(),
+        capture_output=True,
+        text=True,
+        timeout=SECONDS,
+    )
+    assert (done.returncode, done.stdout) == (130, "tidied up\n")
+    assert done.stderr == "framelens: interrupted\n"

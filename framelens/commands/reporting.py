@@ -4,12 +4,14 @@ Exit status: 0 done, 1 a check failed, 2 bad input, 3 no usable OpenGL, 70 a def
 """
 
 import argparse
+import atexit
 import contextlib
 import gc
 import io
 import os
 import signal
 import sys
+import threading
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
@@ -17,6 +19,7 @@ from typing import Any
 from framelens.base.errors import InputError, NoOpenGLError, say_unexpected
 from framelens.base.guard import guarded
 from framelens.base.packages import speaker
+from framelens.base.starting import INTERRUPTED
 from framelens.base.texts import choose, said, speaking
 from framelens.commands.parser import argparse_speaking, language_asked
 from framelens.system import is_closed_pipe
@@ -46,12 +49,23 @@ def run_command(
     try:
         words = sys.argv[1:] if argv is None else argv
         with ending_tidily() as ending, speaking(language_asked(words)):
-            return reported(partial(run, ending), ending)
+            status = reported(partial(run, ending), ending)
+        if argv is None and status == INTERRUPTED:
+            _leave_threads()
+        return status
     finally:
         if argv is None:
             # Python ends by looking for garbage among all that was imported, which is none.
             gc.freeze()
             _end_at_once_on_ctrl_c()
+
+
+def _leave_threads() -> None:
+    """End this process if threads of it still work: Python would wait for them."""
+    if threading.active_count() > 1:
+        atexit._run_exitfuncs()
+        sys.stdout.flush()
+        os._exit(INTERRUPTED)
 
 
 def _end_at_once_on_ctrl_c() -> None:
@@ -107,10 +121,10 @@ def reported(work: Callable[[], int], ending: Ending) -> int:
     except MemoryError:
         return _fail("not enough memory: expected a smaller --size or smaller settings", 2)
     except KeyboardInterrupt:
-        return _fail("interrupted", 130)
+        return _fail("interrupted", INTERRUPTED)
     except Exception as error:
-        if ending.status == 130:
-            return _fail("interrupted", 130)
+        if ending.status == INTERRUPTED:
+            return _fail("interrupted", INTERRUPTED)
         return ending.status or say_unexpected(error)
 
 
