@@ -316,6 +316,7 @@ def test_the_shadows_leave_the_state_as_a_frame_begins_it(stage, hall) -> None:
         {},
         {"shadow.light": "both", "mirror.enabled": True},
         {"shadow.stencil": False},
+        {"shadow.lamp": 0.02, "shadow.casters": "all", "shadow.shine": 1.0},
     ):
         drawn(stage, hall, AT_WALL, changed)
         values = hall.settings
