@@ -123,7 +123,8 @@ class Output:
 def _clear(folder: Path) -> None:
     """Delete the temporary files of processes that were killed; once for each folder."""
     with contextlib.suppress(OSError):
-        left = [each.path for each in os.scandir(folder) if each.name.startswith(BEGIN)]
+        with os.scandir(folder) as entries:
+            left = [each.path for each in entries if each.name.startswith(BEGIN)]
         for path in left:
             if path.endswith(END):
                 with contextlib.suppress(OSError):
