@@ -200,6 +200,30 @@ Ici.
 """
 
 
+def test_a_new_text_is_translated_as_other_catalogues_do_if_they_agree(
+    catalogue: ModuleType, tmp_path: Path
+) -> None:
+    def written(name: str, *translated: tuple[str, str]) -> Path:
+        path = tmp_path / f"{name}.po"
+        entries = (f'msgid "{text}"\nmsgstr "{french}"\n\n' for text, french in translated)
+        path.write_text(HEAD + "".join(entries), encoding="utf-8")
+        return path
+
+    agreed, disputed, short = "a line of four words", "this one has two of them", "fog"
+    one = written("one", (agreed, "une ligne"), (disputed, "celle-ci"), (short, "brouillard"))
+    two = written("two", (agreed, "une ligne"), (disputed, "celui-ci"))
+    elsewhere = catalogue.known([one, two, tmp_path / "none.po"])
+    assert elsewhere == {agreed: "une ligne"}
+
+    new = tmp_path / "new.po"
+    texts = [catalogue.Message(text, "a.py") for text in (agreed, disputed, short)]
+    assert catalogue.update(new, "fr", texts, elsewhere) == []
+    assert [line.split(": ", 1)[1] for line in catalogue.faults(new, texts)] == [
+        f"untranslated: {disputed!r}",
+        f"untranslated: {short!r}",
+    ]
+
+
 def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_are(
     catalogue: ModuleType, locale: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -5,7 +5,8 @@
 
 `update` also writes README.LANGUAGE.md, from README.md and its catalogue. Where the texts of each
 domain come from is in domains.py. The exit status of `check` is 1 if it finds a fault. A text that
-has changed is a new one: `update` prints the translation of the old.
+has changed is a new one: `update` prints the translation of the old. A new text that other
+catalogues have is translated as there.
 """
 
 import argparse
@@ -15,7 +16,7 @@ import sys
 from pathlib import Path
 
 import readme
-from catalogue import faults, update
+from catalogue import faults, known, update
 from domains import DOMAINS, IN_FRAMELENS
 
 import landscape
@@ -40,11 +41,12 @@ def main() -> int:
             for domain, texts in DOMAINS.items()
         }
         if options.command == "update":
-            for path, messages in wanted.items():
-                try:
-                    found += update(path, language, messages)
-                except ValueError as error:
-                    sys.exit(f"catalogues: {error}")
+            try:
+                elsewhere = known(wanted)
+                for path, messages in wanted.items():
+                    found += update(path, language, messages, elsewhere)
+            except ValueError as error:
+                sys.exit(f"catalogues: {error}")
         for path, messages in wanted.items():
             found += faults(path, messages)
         if options.locale is None:

@@ -2,14 +2,18 @@
 
 import re
 import string
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 import polib
 
 WIDTH = 98  # chosen: columns of a catalogue
+WORDS = 4  # chosen: a shorter text may need another translation elsewhere
 _LINK = re.compile(r"\]\(([^)]*)\)")
+
+EMPTY: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -25,11 +29,24 @@ class Message:
     context: str = ""
 
 
-def update(path: Path, language: str, messages: Iterable[Message]) -> list[str]:
+def known(paths: Iterable[Path]) -> dict[str, str]:
+    """Return the translations on which these catalogues agree, of texts of WORDS words or more."""
+    found: dict[str, set[str]] = {}
+    for path in paths:
+        for entry in _entries(path):
+            if entry.msgstr and not entry.fuzzy and len(entry.msgid.split()) >= WORDS:
+                found.setdefault(entry.msgid, set()).add(entry.msgstr)
+    return {text: texts.pop() for text, texts in found.items() if len(texts) == 1}
+
+
+def update(
+    path: Path, language: str, messages: Iterable[Message], elsewhere: Mapping[str, str] = EMPTY
+) -> list[str]:
     """Write the catalogue with an entry for each of these texts, sorted by source, and no others.
 
-    Translations and translators' comments are kept. Returns a line for each translation that is
-    gone with its text. Raises ValueError if the file is not a catalogue.
+    Translations and translators' comments are kept; a new text is translated as ``elsewhere``.
+    Returns a line for each translation that is gone with its text. Raises ValueError if the file is
+    not a catalogue.
     """
     kept = {_key(entry): entry for entry in _entries(path)}
     sources, contexts = _wanted(messages)
@@ -49,7 +66,7 @@ def update(path: Path, language: str, messages: Iterable[Message]) -> list[str]:
             entry = polib.POEntry(
                 msgctxt=context or None,
                 msgid=text,
-                msgstr=old.msgstr if old else "",
+                msgstr=old.msgstr if old else elsewhere.get(text, ""),
                 occurrences=[(source, "") for source in sources[text]],
             )
             if old:
