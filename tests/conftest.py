@@ -67,6 +67,16 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
+def names_cases(config: pytest.Config) -> bool:
+    """Return whether the command line names tests, by ``::`` or by -k: then all of them are run.
+
+    With ``-k "not ..."`` it says only what is left out.
+    """
+    return any("::" in word for word in config.args) or (
+        bool(config.option.keyword) and "not " not in config.option.keyword
+    )
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Skip what Windows lacks; leave out most cases of a sweep, unless --all."""
     if sys.platform == "win32":
@@ -77,8 +87,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         leave_out(
             config, items, [item for item in items if item.get_closest_marker("windows_only")]
         )
-    named = any("::" in word for word in config.args)
-    if not named and not config.getoption("--all"):
+    if not names_cases(config) and not config.getoption("--all"):
         leave_out(config, items, not_today(items, int(os.environ["LANDSCAPE_TESTS_DAY"])))
 
 

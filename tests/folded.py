@@ -15,7 +15,10 @@ import pytest
 def each(
     name: str, values: Iterable[Any], ids: Callable[[Any], str] = repr
 ) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Run a test for each value of its argument ``name``; its fixtures are shared by all."""
+    """Run a test for each value of its argument ``name``; its fixtures are shared by all.
+
+    ``pytest -k VALUE`` finds the test by each value that is a text, as if it were parametrized.
+    """
     cases = list(values)
 
     def folded(test: Callable[..., None]) -> Callable[..., None]:
@@ -33,6 +36,8 @@ def each(
         signature = inspect.signature(test)
         others = [each for each in signature.parameters.values() if each.name != name]
         run_all.__signature__ = signature.replace(parameters=others)  # type: ignore[attr-defined]
+        # pytest takes the attributes of a test for keywords.
+        run_all.__dict__.update({value: True for value in cases if isinstance(value, str)})
         return run_all
 
     return folded

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from conftest import not_today
+from conftest import names_cases, not_today
 from folded import each
 
 
@@ -48,6 +48,29 @@ def test_a_seldom_test_runs_on_one_day_in_n() -> None:
 def test_other_tests_always_run() -> None:
     items = [case("test_plain", number, None) for number in range(3)]
     assert not_today(items, 5) == []
+
+
+@pytest.mark.parametrize(
+    ("args", "keyword", "named"),
+    [
+        (["tests/test_bench.py"], "", False),
+        (["tests/test_bench.py::test_it"], "", True),
+        (["tests/test_lessons.py"], "fog or ladder", True),
+        (["tests"], "not window", False),
+    ],
+)
+def test_what_is_named_by_its_path_or_a_word_is_run(
+    args: list[str], keyword: str, named: bool
+) -> None:
+    config: Any = SimpleNamespace(args=args, option=SimpleNamespace(keyword=keyword))
+    assert names_cases(config) is named
+
+
+@each("colour", ["red", "green"])
+def test_a_folded_test_is_found_by_each_of_its_cases(
+    colour: str, request: pytest.FixtureRequest
+) -> None:
+    assert colour in request.function.__dict__
 
 
 def test_a_folded_test_lists_every_case_that_fails() -> None:
