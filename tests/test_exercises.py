@@ -218,10 +218,9 @@ def _left(report: Report) -> int:
     return sum(result.passed is not True for result in report.results)
 
 
-def test_the_documents_name_every_exercise_and_their_number() -> None:
+def test_the_guide_names_every_exercise() -> None:
     root = Path(__file__).parents[1]
     guide = (root / "docs" / "exercises.md").read_text(encoding="utf-8")
-    assert f"There are {len(NAMES)}, " in guide
     listed = guide.partition("## Which there are")[2].partition("\n## ")[0]
-    assert sorted(re.findall(r"`([a-z_]+)`", listed)) == sorted(NAMES)
-    assert f" {len(NAMES)} exercises " in (root / "README-package.md").read_text(encoding="utf-8")
+    named = re.findall(r"`([a-z_]+)`", listed)
+    assert sorted(named) == sorted(NAMES), '"Which there are" in docs/exercises.md'
