@@ -324,6 +324,12 @@ def drawn_with(
     return found
 
 
+def test_each_setting_has_a_view_that_shows_it() -> None:
+    known = {*SHOTS, *WALKING, *ONLY_CALLS}
+    unseen = [key for key in KEYS if key not in known and key.split(".")[0] not in GROUPS]
+    assert unseen == [], "add a Shot of the group to GROUPS, or of the setting to SHOTS"
+
+
 @pytest.mark.parametrize("key", [k for k in KEYS if k not in (*WALKING, *ONLY_CALLS)])
 @pytest.mark.sweep(9)
 def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
