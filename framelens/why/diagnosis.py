@@ -9,7 +9,7 @@ in vain is ruled out.
 import logging
 import time
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Any
 
@@ -166,38 +166,13 @@ def _diagnosed(
     only: Collection[str],
 ) -> Diagnosis:
     suspects = [each for each in suspects_of(found) if not only or each.cause in only]
-    proven: list[tuple[Suspect, int]] = []
-    failed: list[Suspect] = []
-    for index, suspect in enumerate(suspects):
-        step(index, len(suspects))
-        if proven and suspect.strength < proven[0][0].strength - WEAKER:
-            break
-        if index >= ALWAYS and time.monotonic() > until:
-            break
-        pixels = _proof(found, suspect)
-        if pixels:
-            proven.append((suspect, pixels))
-        else:
-            failed.append(suspect)
-
+    proven, failed = _tried(found, suspects, until, step)
+    if not proven and found.empty and found.pixel is not None:
+        # Where nothing is seen at all, what makes it appear elsewhere is a cause as well.
+        anywhere = [replace(each, reach=max(found.base.shape)) for each in failed]
+        proven, failed = _tried(found, anywhere, until, step)
     if not proven:
-        for first, second in combinations(failed[:PAIRS], 2):
-            if time.monotonic() > until or first.change is None or second.change is None:
-                break
-            if first.cause == second.cause:
-                continue
-            both = Suspect(
-                first.cause,
-                at=first.at,
-                change=first.change | second.change,
-                strength=min(first.strength, second.strength),
-            )
-            if not (found.empty or found.pixel):
-                break
-            pixels = _proof(found, both)
-            if pixels:
-                proven = [(first, pixels), (second, pixels)]
-                break
+        proven = _in_pairs(found, failed, until)
 
     step(len(suspects), len(suspects))
     proven = _ordered(proven)
@@ -213,6 +188,50 @@ def _diagnosed(
         tuple(lines(found, language)),
         bool(found.shapes),
     )
+
+
+def _tried(
+    found: Survey,
+    suspects: Sequence[Suspect],
+    until: float,
+    step: Callable[[int, int], object],
+) -> tuple[list[tuple[Suspect, int]], list[Suspect]]:
+    """Try suspects, the likeliest first; return the proven ones with pixels, and the others."""
+    proven: list[tuple[Suspect, int]] = []
+    failed: list[Suspect] = []
+    for index, suspect in enumerate(suspects):
+        step(index, len(suspects))
+        if proven and suspect.strength < proven[0][0].strength - WEAKER:
+            break
+        if index >= ALWAYS and time.monotonic() > until:
+            break
+        pixels = _proof(found, suspect)
+        if pixels:
+            proven.append((suspect, pixels))
+        else:
+            failed.append(suspect)
+    return proven, failed
+
+
+def _in_pairs(found: Survey, failed: Sequence[Suspect], until: float) -> list[tuple[Suspect, int]]:
+    """Return two suspects whose changes mend the picture together, nothing if none do."""
+    if not (found.empty or found.pixel):
+        return []
+    for first, second in combinations(failed[:PAIRS], 2):
+        if time.monotonic() > until or first.change is None or second.change is None:
+            return []
+        if first.cause == second.cause:
+            continue
+        both = Suspect(
+            first.cause,
+            at=first.at,
+            change=first.change | second.change,
+            strength=min(first.strength, second.strength),
+        )
+        pixels = _proof(found, both)
+        if pixels:
+            return [(first, pixels), (second, pixels)]
+    return []
 
 
 def _ordered(proven: Sequence[tuple[Suspect, int]]) -> list[tuple[Suspect, int]]:
