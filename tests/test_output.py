@@ -271,3 +271,12 @@ def test_one_picture_may_go_into_a_pipe_or_a_device_of_any_name(tmp_path: Path) 
     assert output_paths(Path("/dev/null"), ["a"]) == [Path("/dev/null")]
     with pytest.raises(InputError, match="expected a folder for 2 views"):
         output_paths(tmp_path / "pipe", ["a", "b"])
+
+
+@pytest.mark.posix_only("a link to itself is made by administrators alone there")
+def test_what_clearly_cannot_be_written_is_told_before_anything_is_drawn(tmp_path: Path) -> None:
+    loop = tmp_path / "loop"
+    loop.symlink_to("loop")
+    for path, said in ((tmp_path, "found a folder"), (loop / "a.png", "cannot be written")):
+        with pytest.raises(InputError, match=said):
+            check_writable(path)
