@@ -18,6 +18,7 @@ from framelens.commands.parser import language_option
 from framelens.program.program_frame import ProgramFrame
 from framelens.report.why_report import find
 from framelens.system import quoted
+from landscape.commands import exercise_class
 from landscape.commands.exercise_list import json_text
 from landscape.course.exercise import Exercise, Grader, Report
 from landscape.course.grader.budget import MOST_SECONDS, SECONDS
@@ -34,7 +35,13 @@ WRITTEN = _("{file}: your picture, where it differs, and the solution's")
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
-    parser.add_argument("file", type=Path, metavar="FILE", help=_("the program"))
+    parser.add_argument(
+        "files",
+        nargs="+",
+        type=Path,
+        metavar="FILE|FOLDER|ZIP",
+        help=_("the program; or a folder, a zip or several files: a class"),
+    )
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--json", action="store_true", help=_("print JSON"))
     what.add_argument(
@@ -54,6 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=_("how long the program may take; default: %(default)g"),
     )
     language_option(parser, "language of the texts")
+    exercise_class.add_arguments(parser)
 
 
 def _seconds(text: str) -> float:
@@ -73,6 +81,9 @@ def _seconds(text: str) -> float:
 def run(options: argparse.Namespace) -> int:
     """Check a program and print what was found: 0 passed, 1 not, 2 could not be run."""
     language = options.lang or choose(os.environ)
+    if exercise_class.is_class(options):
+        return exercise_class.run(options, language)
+    (file,) = options.files
     if options.heat_map is not None:
         if options.heat_map.suffix.lower() != ".png":
             raise InputError(
@@ -80,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
             )
         check_writable(options.heat_map, "--heat-map ")
     with Grader(options.seconds) as grader:
-        report = grader.check(options.file)
+        report = grader.check(file)
 
     _ = report.exercise.translate.to(language)
     if options.heat_map is not None and report.work is not None and report.solution is not None:
@@ -100,11 +111,9 @@ def run(options: argparse.Namespace) -> int:
         if options.heat_map is not None:
             print(_(WRITTEN).format(file=options.heat_map))
         elif (report.difference or 0) > MOST:
-            print(_(SHOWN).format(file=quoted(str(options.file))))
+            print(_(SHOWN).format(file=quoted(str(file))))
     if report.error is not None:
-        raise InputError(
-            "{file}: {sentence}", file=options.file, sentence=sentence(report.error, _)
-        )
+        raise InputError("{file}: {sentence}", file=file, sentence=sentence(report.error, _))
     return 0 if report.passed else 1
 
 

@@ -69,8 +69,8 @@ def trouble() -> str:
     return f"{place} cannot be used ({reason}); LANDSCAPE_CACHE may name another folder"
 
 
-def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
-    """Return what ``make`` returns, from the cache if it was made before.
+def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays], fresh: bool = False) -> Arrays:
+    """Return what ``make`` returns, from the cache if it was made before and need not be ``fresh``.
 
     The result must depend only on ``parts`` and on code: this package's, or that of the file which
     defines ``make``. A cache that cannot be used is not an error. The arrays may be written to.
@@ -83,7 +83,7 @@ def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays]) -> Arrays:
         data = part.encode() if isinstance(part, str) else part
         digest.update(len(data).to_bytes(8, "little") + data)
     path = place / f"{digest.hexdigest()}.arrays"
-    found = _read(path)
+    found = None if fresh else _read(path)
     if found is None:
         found = make()
         with contextlib.suppress(InputError):

@@ -252,6 +252,7 @@ COURSE = (
     "landscape/course/*.py",
     "landscape/course/grader/*.py",
     "landscape/course/lecture/*.py",
+    "landscape/course/roster/*.py",
     "landscape/cli.py",
     "landscape/commands/*.py",
 )

@@ -1,0 +1,225 @@
+"""Grading the submissions of a class, side by side: a row each, never a stop."""
+
+import json
+import pickle
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
+from contextlib import closing
+from dataclasses import dataclass, replace
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from framelens.base.errors import InputError
+from framelens.base.executor import Kept, ahead, in_order, lent_or_own
+from framelens.base.output import png
+from framelens.base.texts import said, translator
+from framelens.system.processes import cores
+from landscape import __version__
+from landscape.course.exercise import Grader, Report
+from landscape.course.grader.budget import SECONDS
+from landscape.course.grader.grading import Hint
+from landscape.course.grader.heat_map import heat_map
+from landscape.course.grader.troubles import sentence
+from landscape.course.roster.submissions import Submission, late
+from landscape.files.cache import recall
+
+WIDEST = 960  # chosen: pixels of the picture of a page, of three side by side
+
+
+@dataclass(frozen=True)
+class Row:
+    """What a submission is given; the fields are those of the tables.
+
+    ``tests``: {"name", "passed", "hint"} of each. ``hint`` is that of the first test that failed,
+    ``line`` the line of the program that it names, or 0. ``error`` says why it was not graded.
+    """
+
+    student: str
+    id: str
+    file: str
+    exercise: str = ""
+    passed: bool = False
+    points: float = 0.0
+    of: float = 0.0
+    tests: Sequence[dict[str, Any]] = ()
+    hint: str = ""
+    line: int = 0
+    late: bool = False
+    seconds: float = 0.0
+    contained: str = ""
+    version: str = __version__
+    error: str = ""
+
+
+@dataclass(frozen=True)
+class Graded:
+    """A row, its submission, and its picture: the student's, the difference, the solution's."""
+
+    row: Row
+    submission: Submission
+    picture: bytes = b""
+
+
+@dataclass(frozen=True)
+class Rules:
+    """How a class is graded; ``points`` is what a program gets that passes all tests.
+
+    Where it is None, each test is worth a point. ``again``: files that have not changed are run,
+    too.
+    """
+
+    language: str = "en"
+    seconds: float = SECONDS
+    points: float | None = None
+    again: bool = False
+
+
+def grade_class(
+    found: Sequence[Submission],
+    rules: Rules,
+    due: datetime | None = None,
+    done: Callable[[str], None] = lambda student: None,
+    executor: Executor | None = None,
+    jobs: int = 0,
+) -> list[Graded]:
+    """Grade submissions, and call ``done`` with the student of each; in their order.
+
+    The workers are ``jobs`` processes of this machine, as many as it has cores by default, or those
+    of an ``executor``. A file that was graded before, by the same tests, is not run again.
+    NoOpenGLError without a usable OpenGL.
+    """
+    texts = list(dict.fromkeys(each.data for each in found if each.data is not None))
+    count = jobs or min(cores(), max(len(texts), 1))
+    graded: list[Graded] = []
+    try:
+        with (
+            lent_or_own(executor, count) as workers,
+            closing(in_order(workers, partial(grade, rules), texts, ahead(count))) as results,
+        ):
+            known: dict[bytes, tuple[dict[str, Any], bytes]] = {}
+            for each in found:
+                if each.data is not None and each.data not in known:
+                    known[each.data] = next(results)
+                graded.append(_given(each, rules, due, known))
+                done(each.student)
+    finally:
+        _open.close()  # where the executor is one in this process
+    return graded
+
+
+def _given(
+    each: Submission,
+    rules: Rules,
+    due: datetime | None,
+    known: Mapping[bytes, tuple[dict[str, Any], bytes]],
+) -> Graded:
+    """Return what a submission is given; ``known`` has what each program is."""
+    row = Row(each.student, each.id, each.file, late=late(each, due))
+    if each.data is None:
+        assert each.error is not None
+        return Graded(replace(row, error=said(each.error, rules.language)), each)
+    values, picture = known[each.data]
+    return Graded(replace(row, **values), each, picture)
+
+
+def grade(rules: Rules, data: bytes) -> tuple[dict[str, Any], bytes]:
+    """Return the values of a program's row, and its picture: a task for any executor."""
+    key = pickle.dumps(replace(rules, again=False))
+
+    def make() -> tuple[np.ndarray, ...]:
+        with _open.opened(key, lambda: _Opened(rules)) as opened:
+            values, picture = opened.graded(data)
+        text = json.dumps(values).encode()
+        return np.frombuffer(text, np.uint8), np.frombuffer(picture, np.uint8)
+
+    text, picture = recall([key, data], make, fresh=rules.again)
+    return dict(json.loads(text.tobytes())), picture.tobytes()
+
+
+class _Opened:
+    """A grader, and the folder in which programs stand while they are checked."""
+
+    def __init__(self, rules: Rules) -> None:
+        self._rules = rules
+        self._grader = Grader(rules.seconds)
+        self._folder = tempfile.TemporaryDirectory(prefix="landscape-class-")
+
+    def graded(self, data: bytes) -> tuple[dict[str, Any], bytes]:
+        """Return the values of a program's row, and its picture as a PNG."""
+        path = Path(self._folder.name) / "program.py"
+        path.write_bytes(data)
+        began = monotonic()
+        try:
+            report = self._grader.check(path)
+        except InputError as error:
+            text = said(error, self._rules.language)
+            return {"error": text.replace(f"{path}: ", "")}, b""
+
+        values = _values(report, self._rules)
+        values["seconds"] = round(monotonic() - began, 2)
+        return values, _picture(report)
+
+    def close(self) -> None:
+        """End the grader's processes and delete its files."""
+        self._grader.__exit__()
+        self._folder.cleanup()
+
+
+_open: Kept[_Opened] = Kept()
+
+
+def _values(report: Report, rules: Rules) -> dict[str, Any]:
+    translate = report.exercise.translate.to(rules.language)
+    made = {result.test.key: result for result in report.results}
+    tests = []
+    for test in report.tests:
+        result = made.get(test.key)
+        told = result.hint if result is not None else None
+        tests.append(
+            {
+                "name": translate(test.name),
+                "passed": result.passed if result is not None else None,
+                "hint": told.written(translate) if told is not None else "",
+            }
+        )
+
+    first = next((result.hint for result in report.results if result.hint is not None), None)
+    right = sum(test["passed"] is True for test in tests)
+    whole = rules.points if rules.points is not None else float(len(tests))
+    values: dict[str, Any] = {
+        "exercise": report.exercise.name,
+        "passed": report.passed,
+        "points": round(whole * right / len(tests), 2),
+        "of": whole,
+        "tests": tests,
+        "hint": first.written(translate) if first is not None else "",
+        "line": _line(first),
+    }
+    if report.error is not None:
+        values["error"] = sentence(report.error, translator(rules.language, "course"))
+        values["line"] = int(report.error.get("line", 0))
+    return values
+
+
+def _line(hint: Hint | None) -> int:
+    line = hint.values.get("line", 0) if hint is not None else 0
+    return line if isinstance(line, int) else 0
+
+
+def _picture(report: Report) -> bytes:
+    """Return a PNG of the student's picture, the difference and the solution's side by side."""
+    if report.work is None or report.solution is None:
+        return b""
+    pixels = heat_map(report.work, report.solution)
+    if pixels.shape[1] > WIDEST:
+        image = Image.fromarray(pixels)
+        image.thumbnail((WIDEST, WIDEST))
+        pixels = np.asarray(image)
+    return png(pixels)

@@ -1,0 +1,125 @@
+"""Moodle's names of folders, its grading worksheet, and a zip of feedback files.
+
+Moodle names a student's folder FULLNAME_ID_assignsubmission_file, where ID is the number of the
+participant in this assignment. Its worksheet is a CSV whose headers are in the language of the
+site. It is found by its first column, and only the grade and the comment of each graded student
+change in it: every other byte stays.
+"""
+
+import io
+import re
+import zipfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from framelens.base.errors import InputError
+
+FOLDER = re.compile(r"(?P<name>[^_]*)_(?P<id>\d+)_assignsubmission_[a-z]+(_.*)?")
+# Headers of the columns that are filled, in the languages of Moodle's sites.
+GRADES = ("Grade", "Note", "Bewertung", "Calificación", "Valutazione", "Cijfer")
+COMMENTS = (
+    "Feedback comments",
+    "Feedback par commentaires",
+    "Feedback als Kommentar",
+    "Comentarios de retroalimentación",
+    "Commenti di feedback",
+    "Feedback als commentaar",
+)
+NUMBER = re.compile(r"(\d+)\s*$")
+DATE = 1980, 1, 1, 0, 0, 0  # of files in a zip, so that equal feedback is equal bytes
+
+
+def participant(folder: str) -> tuple[str, str] | None:
+    """Return the name and number of the student whose folder this is; None for another name."""
+    known = FOLDER.fullmatch(folder)
+    return (known["name"].strip(), known["id"]) if known else None
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What a worksheet gets for a participant."""
+
+    grade: str
+    comment: str
+
+
+def filled(worksheet: bytes, marks: Mapping[str, Mark], name: str) -> tuple[bytes, list[str]]:
+    """Return a worksheet with the marks by participants' numbers, and the numbers not in it.
+
+    InputError, which names the file ``name``, if it is not a worksheet.
+    """
+    try:
+        text = worksheet.decode("utf-8")
+    except UnicodeDecodeError:
+        raise InputError(
+            "{name}: expected a grading worksheet of Moodle, a CSV in UTF-8", name=name
+        ) from None
+    rows = _cells(text)
+    headers = [_value(text[begin:end]).lstrip("\ufeff") for begin, end in rows[0]] if rows else []
+    grade = next((index for index, each in enumerate(headers) if each in GRADES), None)
+    comment = next((index for index, each in enumerate(headers) if each in COMMENTS), None)
+    if grade is None:
+        raise InputError(
+            "{name}: expected a grading worksheet of Moodle, with a column {columns}",
+            name=name,
+            columns=" / ".join(GRADES),
+        )
+
+    changes: list[tuple[int, int, str]] = []
+    left = dict(marks)
+    for row in rows[1:]:
+        number = NUMBER.search(_value(text[slice(*row[0])]))
+        mark = left.pop(number[1], None) if number else None
+        if mark is None or len(row) <= grade:
+            continue
+        changes.append((*row[grade], _quoted(mark.grade)))
+        if comment is not None and len(row) > comment:
+            changes.append((*row[comment], _quoted(mark.comment)))
+
+    for begin, end, value in sorted(changes, reverse=True):
+        text = text[:begin] + value + text[end:]
+    return text.encode(), sorted(left)
+
+
+def _cells(text: str) -> list[list[tuple[int, int]]]:
+    """Return where each cell of a CSV begins and ends, quotes included, row by row."""
+    rows: list[list[tuple[int, int]]] = []
+    row: list[tuple[int, int]] = []
+    begin, quoted = 0, False
+    for place, character in enumerate(text):
+        if character == '"':
+            quoted = not quoted
+        elif quoted:
+            continue
+        elif character == ",":
+            row.append((begin, place))
+            begin = place + 1
+        elif character == "\n":
+            end = place - 1 if text[place - 1 : place] == "\r" else place
+            rows.append([*row, (begin, end)])
+            row, begin = [], place + 1
+
+    if begin < len(text):
+        rows.append([*row, (begin, len(text))])
+    return rows
+
+
+def _value(cell: str) -> str:
+    cell = cell.strip()
+    bare = cell.lstrip("\ufeff")
+    return bare[1:-1].replace('""', '"') if bare[:1] == bare[-1:] == '"' else bare
+
+
+def _quoted(value: str) -> str:
+    if any(character in value for character in ',"\r\n'):
+        return '"' + value.replace('"', '""') + '"'
+    return value
+
+
+def feedback(files: Sequence[tuple[str, str, bytes]]) -> bytes:
+    """Return a zip of (folder, name, bytes), as Moodle takes it: folders named as it named them."""
+    whole = io.BytesIO()
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
+        for folder, name, data in files:
+            archive.writestr(zipfile.ZipInfo(f"{folder}/{name}", DATE), data)
+    return whole.getvalue()

@@ -1,0 +1,87 @@
+"""A class as one page of HTML without scripts: each student's picture, first hint and line."""
+
+import base64
+import html
+from collections.abc import Sequence
+
+from framelens.base.texts import Translator
+from landscape.course.grader.grading import _
+from landscape.course.roster.grades import Graded, Row
+from landscape.course.roster.tables import printable
+
+TITLE = _("Exercises of a class")
+COUNTS = _("Programs that pass: {passed} of {all}")
+PICTURE = _("the picture of {student}, where it differs, and the solution's")
+LINE = _("line {line}")
+LATE = _("late")
+COLUMNS = (
+    _("Student"),
+    _("File"),
+    _("Exercise"),
+    _("Points"),
+    _("First hint"),
+)
+STYLE = """
+body { font: 16px/1.45 sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em; }
+table { border-collapse: collapse; width: 100%; }
+th, td { border-bottom: 1px solid #ccc; padding: .3em .6em; text-align: left; vertical-align: top; }
+td.points { white-space: nowrap; }
+img { display: block; margin-top: .4em; max-width: 100%; }
+tr.passed td.points { color: #1a6b2f; }
+tr.failed td.points { color: #9b1c1c; }
+@media print { tr { break-inside: avoid; } }
+"""
+
+
+def as_page(graded: Sequence[Graded], language: str, _: Translator) -> bytes:
+    """Return the page; pictures are in it, so that it is one file."""
+    passed = sum(each.row.passed for each in graded)
+    head = "".join(f"<th>{html.escape(_(each))}</th>" for each in COLUMNS)
+    body = "\n".join(_line_of(each, _) for each in graded)
+    title = html.escape(_(TITLE))
+    counts = html.escape(_(COUNTS).format(passed=passed, all=len(graded)))
+    return f"""<!DOCTYPE html>
+<html lang="{language}">
+<meta charset="utf-8">
+<title>{title}</title>
+<style>{STYLE}</style>
+<h1>{title}</h1>
+<p>{counts}</p>
+<table>
+<thead><tr>{head}</tr></thead>
+<tbody>
+{body}
+</tbody>
+</table>
+</html>
+""".encode("utf-8", "replace")
+
+
+def _line_of(graded: Graded, _: Translator) -> str:
+    row = graded.row
+    hint = html.escape(printable(told(row, _)))
+    if graded.picture:
+        text = html.escape(_(PICTURE).format(student=printable(row.student)), quote=True)
+        source = base64.b64encode(graded.picture).decode()
+        hint += f'<img alt="{text}" src="data:image/png;base64,{source}">'
+    student = html.escape(printable(row.student))
+    if row.late:
+        student += f" ({html.escape(_(LATE))})"
+    cells = (
+        f"<td>{student}</td>",
+        f"<td>{html.escape(printable(row.file))}</td>",
+        f"<td>{html.escape(row.exercise)}</td>",
+        f'<td class="points">{row.points:g} / {row.of:g}</td>',
+        f"<td>{hint}</td>",
+    )
+    kind = "passed" if row.passed else "failed"
+    return f'<tr class="{kind}">{"".join(cells)}</tr>'
+
+
+def told(row: Row, _: Translator) -> str:
+    """Return the first hint of a row, or why it was not graded, with the line of the program."""
+    text = row.error or row.hint
+    named = _(LINE).format(line=row.line)
+    if row.line and named not in text:
+        text = f"{named}: {text}"
+    return text

@@ -1,0 +1,205 @@
+"""The submissions of a class, found in files, folders and zips.
+
+A file is a submission of the student who is named like it; a folder inside a folder or a zip is the
+student's of its name, or of the one that Moodle put into it (moodle.py). What cannot be graded is a
+submission, too: its error says why.
+"""
+
+import io
+import zipfile
+import zlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime, timedelta
+from pathlib import Path, PurePosixPath
+
+from framelens.base.errors import InputError, reason
+from framelens.base.input import read_bounded
+from landscape.course.exercise import MOST_BYTES
+from landscape.course.roster.moodle import participant
+
+MOST_ZIP_BYTES = 1 << 28  # chosen: of a zip of a class
+MOST_FILES = 20_000  # chosen: in a zip or a folder
+# Of a zip's directory: names that are no student's, as the systems of their makers leave them.
+HIDDEN = "__MACOSX"
+
+
+@dataclass(frozen=True)
+class Submission:
+    """A program, or why there is none: ``data`` is None where ``error`` says it.
+
+    ``file`` is its name below the folder or zip; ``folder`` is the student's, as Moodle named it.
+    """
+
+    student: str
+    id: str = ""
+    file: str = ""
+    folder: str = ""
+    data: bytes | None = None
+    changed: datetime | None = None
+    error: InputError | None = None
+
+
+def submissions(paths: Sequence[Path]) -> list[Submission]:
+    """Return the submissions in files, folders and zips, in the order of their names.
+
+    InputError if one of the paths cannot be read at all.
+    """
+    found: list[Submission] = []
+    for path in paths:
+        if path.is_dir():
+            found += _students(_of_folder(path))
+        elif path.suffix.lower() == ".zip":
+            data = read_bounded(path, MOST_ZIP_BYTES)
+            found += _students(_of_zip(data, str(path)))
+        else:
+            data = read_bounded(path, MOST_BYTES)
+            changed = datetime.fromtimestamp(path.stat().st_mtime)
+            found.append(Submission(path.stem, file=path.name, data=data, changed=changed))
+
+    if not found:
+        raise InputError(
+            "{paths}: expected programs, found none", paths=", ".join(str(path) for path in paths)
+        )
+    return found
+
+
+File = tuple[PurePosixPath, bytes | None, datetime, InputError | None]
+"""Its name below the folder or zip, what is in it, when it was changed, and why it is not read."""
+
+
+def _of_folder(folder: Path) -> Iterator[File]:
+    paths = sorted(folder.rglob("*"))
+    if len(paths) > MOST_FILES:
+        raise InputError("{folder}: expected at most {most} files", folder=folder, most=MOST_FILES)
+    for path in paths:
+        name = PurePosixPath(path.relative_to(folder).as_posix())
+        if path.is_dir():
+            yield name / "", None, datetime.min, None
+            continue
+        try:
+            changed = datetime.fromtimestamp(path.stat().st_mtime)
+            yield name, read_bounded(path, MOST_BYTES), changed, None
+        except InputError as error:
+            yield name, None, datetime.min, error
+        except OSError as error:
+            unread = InputError(
+                "{name}: cannot be read ({reason})", name=str(name), reason=reason(error)
+            )
+            yield name, None, datetime.min, unread
+
+
+def _of_zip(data: bytes, name: str) -> Iterator[File]:
+    """Yield the files of a zip, none of which is written anywhere."""
+    try:
+        archive = zipfile.ZipFile(io.BytesIO(data))
+    except (zipfile.BadZipFile, OSError, ValueError):
+        raise InputError("{name}: is not a zip that can be read", name=name) from None
+    entries = archive.infolist()
+    if len(entries) > MOST_FILES:
+        raise InputError("{name}: expected at most {most} files", name=name, most=MOST_FILES)
+    for entry in sorted(entries, key=lambda entry: entry.filename):
+        inside = PurePosixPath(entry.filename.replace("\\", "/"))
+        if inside.is_absolute() or ".." in inside.parts:
+            raise InputError(
+                "{name}: has a file outside of itself, {file}", name=name, file=entry.filename
+            )
+        changed = _date(entry.date_time)
+        if entry.is_dir():
+            yield inside / "", None, changed, None
+            continue
+        try:
+            yield inside, _unpacked(archive, entry), changed, None
+        except InputError as error:
+            yield inside, None, changed, error
+
+
+def _date(numbers: tuple[int, int, int, int, int, int]) -> datetime:
+    try:
+        return datetime(*numbers)
+    except ValueError:
+        return datetime.min
+
+
+def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
+    """Return what a zip has at a name; no more of it is unpacked than a program may have."""
+    try:
+        with archive.open(entry) as file:
+            data = file.read(MOST_BYTES + 1)
+    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, NotImplementedError):
+        raise InputError("{file}: is damaged or encrypted", file=entry.filename) from None
+    if len(data) > MOST_BYTES:
+        raise InputError(
+            "{file}: too large, expected at most {amount}",
+            file=entry.filename,
+            amount=f"{MOST_BYTES >> 20} MB",
+        )
+    return data
+
+
+def _students(files: Iterator[File]) -> list[Submission]:
+    """Return the submissions among files: a student's are in one folder, or are one file."""
+    found: list[Submission] = []
+    folders: dict[str, list[File]] = {}
+    for file in _unwrapped([file for file in files if not _hidden(file[0])]):
+        name, data, _changed, error = file
+        if len(name.parts) > 1 or (data is None and error is None):
+            folders.setdefault(name.parts[0], []).append(file)
+        elif name.suffix.lower() in (".py", ".zip"):
+            found += _programs(Submission(name.stem), [file])
+
+    for folder, inside in folders.items():
+        student, number = participant(folder) or (folder, "")
+        found += _programs(Submission(student or folder, number, folder=folder), inside)
+    return sorted(found, key=lambda each: (each.student.casefold(), each.id, each.file))
+
+
+def _hidden(name: PurePosixPath) -> bool:
+    return HIDDEN in name.parts or any(part.startswith(".") for part in name.parts)
+
+
+def _unwrapped(files: Sequence[File]) -> Sequence[File]:
+    """Return files without the one folder in which a zip or a folder often has all others."""
+    tops = {name.parts[0] for name, *_rest in files if name.parts}
+    deep = any(len(name.parts) > 2 for name, *_rest in files)
+    if len(tops) != 1 or not deep or participant(tops.pop()) is not None:
+        return files
+    return _unwrapped(
+        [
+            (PurePosixPath(*name.parts[1:]), data, changed, error)
+            for name, data, changed, error in files
+            if len(name.parts) > 1
+        ]
+    )
+
+
+def _programs(student: Submission, files: Sequence[File]) -> list[Submission]:
+    """Return the programs of a student, those in a zip of the student's own among them."""
+    found: list[Submission] = []
+    for name, data, changed, error in files:
+        of_file = replace(student, file=str(name), changed=changed)
+        if name.suffix.lower() == ".zip" and data is not None:
+            try:
+                inside = list(_of_zip(data, str(name)))
+            except InputError as trouble:
+                found.append(replace(of_file, error=trouble))
+                continue
+            found += [
+                replace(of_file, file=f"{name}/{inner}", data=text, error=trouble)
+                for inner, text, _changed, trouble in inside
+                if inner.suffix.lower() == ".py" and HIDDEN not in inner.parts
+            ]
+        elif name.suffix.lower() == ".py":
+            found.append(replace(of_file, data=data, error=error))
+
+    if not found:
+        nothing = InputError("{student}: handed in no program", student=student.student)
+        return [replace(student, error=nothing)]
+    return found
+
+
+def late(submission: Submission, due: datetime | None) -> bool:
+    """Return whether a submission was changed after it was due; a zip keeps even seconds only."""
+    if due is None or submission.changed is None:
+        return False
+    return submission.changed - due > timedelta(seconds=2)

@@ -1,0 +1,109 @@
+"""The rows of a class as CSV, JSON, JUnit XML, and the results.json of Gradescope."""
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+from typing import Any
+from xml.etree import ElementTree
+
+from landscape.course.roster.grades import Row
+
+COLUMNS = [field.name for field in fields(Row) if field.name != "tests"]
+# A spreadsheet takes a cell that begins so for a formula, and it is the student who wrote it.
+FORMULAS = ("=", "+", "-", "@", "\t", "\r")
+
+
+def as_csv(rows: Sequence[Row]) -> bytes:
+    """Return the rows as CSV in UTF-8, the names of the columns first."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for row in rows:
+        values = asdict(row)
+        writer.writerow([_cell(values[name]) for name in COLUMNS])
+    return text.getvalue().encode()
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:g}"
+    text = printable(str(value))
+    return f"'{text}" if text.startswith(FORMULAS) else text
+
+
+def printable(text: str) -> str:
+    """Return a text on one line without control characters, which a terminal would obey."""
+    return "".join(each if each.isprintable() else " " for each in text)
+
+
+def as_json(rows: Sequence[Row]) -> bytes:
+    """Return the rows as JSON: {"submissions": [...]}."""
+    whole = {"submissions": [asdict(row) for row in rows]}
+    return (json.dumps(whole, indent=1, ensure_ascii=False) + "\n").encode("utf-8", "replace")
+
+
+def as_junit(rows: Sequence[Row]) -> bytes:
+    """Return the rows as JUnit XML: a suite for each submission, a case for each test."""
+    root = ElementTree.Element("testsuites")
+    for row in rows:
+        failed = sum(test["passed"] is False for test in row.tests)
+        skipped = sum(test["passed"] is None for test in row.tests)
+        suite = ElementTree.SubElement(
+            root,
+            "testsuite",
+            name=_xml(row.student),
+            tests=str(max(len(row.tests), 1)),
+            failures=str(failed),
+            errors=str(int(bool(row.error))),
+            skipped=str(0 if row.error else skipped),
+            time=f"{row.seconds:g}",
+        )
+        named = _xml(f"{row.exercise or 'exercise'}.{row.student}")
+        if row.error:
+            case = ElementTree.SubElement(suite, "testcase", name=_xml(row.file), classname=named)
+            ElementTree.SubElement(case, "error", message=_xml(row.error))
+        for test in () if row.error else row.tests:
+            case = ElementTree.SubElement(
+                suite, "testcase", name=_xml(test["name"]), classname=named
+            )
+            if test["passed"] is None:
+                ElementTree.SubElement(case, "skipped")
+            elif not test["passed"]:
+                ElementTree.SubElement(case, "failure", message=_xml(test["hint"]))
+
+    ElementTree.indent(root)
+    return ElementTree.tostring(root, "utf-8", xml_declaration=True) + b"\n"
+
+
+def _xml(text: str) -> str:
+    """Return a text of characters that XML may have."""
+    return printable(text).encode("utf-8", "replace").decode()
+
+
+def as_gradescope(row: Row) -> bytes:
+    """Return a row as the results.json that Gradescope reads for one submission."""
+    share = row.of / len(row.tests) if row.tests else 0.0
+    tests = [
+        {
+            "name": test["name"],
+            "score": share if test["passed"] else 0.0,
+            "max_score": share,
+            "status": "passed" if test["passed"] else "failed",
+            "output": test["hint"],
+        }
+        for test in row.tests
+    ]
+    result: dict[str, Any] = {
+        "score": row.points,
+        "execution_time": row.seconds,
+        "output": row.error or row.hint,
+        "output_format": "text",
+        "visibility": "visible",
+        "tests": tests,
+        "extra_data": {"exercise": row.exercise, "version": row.version},
+    }
+    return (json.dumps(result, indent=1, ensure_ascii=False) + "\n").encode("utf-8", "replace")

@@ -1,0 +1,214 @@
+"""A class: submissions found in folders and zips, graded, and written as tables."""
+
+import csv
+import io
+import json
+import zipfile
+from datetime import datetime
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from commands import landscape, refused
+
+from framelens.base.errors import InputError
+from framelens.base.executor import Here
+from landscape.course.exercise import exercise
+from landscape.course.roster import grades, moodle, tables
+from landscape.course.roster.grades import Row, Rules, grade_class
+from landscape.course.roster.submissions import MOST_BYTES, submissions
+
+FOLDER = "{}_{}_assignsubmission_file"
+HEADERS = "Identifier,Full name,Grade,Last modified (grade),Feedback comments"
+
+
+def solution(name: str) -> str:
+    return (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
+
+
+def zipped(path: Path, files: dict[str, str | bytes]) -> Path:
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, data in files.items():
+            archive.writestr(zipfile.ZipInfo(name, (2026, 11, 3, 12, 0, 0)), data)
+    return path
+
+
+def test_the_names_of_moodles_folders_are_those_of_its_own_code() -> None:
+    assert moodle.participant("Zoé de la Tour_1042_assignsubmission_file") == (
+        "Zoé de la Tour",
+        "1042",
+    )
+    assert moodle.participant("Participant_7_assignsubmission_onlinetext_x") == ("Participant", "7")
+    assert moodle.participant("Zoé_seven_assignsubmission_file") is None
+    assert moodle.participant("src") is None
+
+
+def test_submissions_are_found_in_a_zip_as_moodle_makes_it(tmp_path: Path) -> None:
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w") as archive:
+        archive.writestr("work/mine.py", "inner")
+    path = zipped(
+        tmp_path / "class.zip",
+        {
+            f"{FOLDER.format('Ada', 2)}/fog.py": "ada",
+            f"{FOLDER.format('Bo', 1)}/one.py": "first",
+            f"{FOLDER.format('Bo', 1)}/deep/two.py": "second",
+            f"{FOLDER.format('Cy', 3)}/notes.txt": "none",
+            f"{FOLDER.format('Di', 4)}/work.zip": inner.getvalue(),
+            f"{FOLDER.format('Ed', 5)}/large.py": b" " * (MOST_BYTES + 1),
+            f"{FOLDER.format('Flo', 6)}/broken.zip": b"PK no zip",
+            "__MACOSX/._fog.py": "rubbish",
+        },
+    )
+    found = submissions([path])
+    assert [(each.student, each.id, each.data) for each in found] == [
+        ("Ada", "2", b"ada"),
+        ("Bo", "1", b"second"),
+        ("Bo", "1", b"first"),
+        ("Cy", "3", None),
+        ("Di", "4", b"inner"),
+        ("Ed", "5", None),
+        ("Flo", "6", None),
+    ]
+    assert [str(each.error) for each in found if each.error] == [
+        "Cy: handed in no program",
+        f"{FOLDER.format('Ed', 5)}/large.py: too large, expected at most 1 MB",
+        f"{FOLDER.format('Flo', 6)}/broken.zip: is not a zip that can be read",
+    ]
+
+
+def test_files_folders_and_a_folder_around_all_are_submissions_of_who_is_named(
+    tmp_path: Path,
+) -> None:
+    outer = tmp_path / "class" / "week 3"
+    for name in ("ada/fog.py", "bo/src/fog.py"):
+        (outer / name).parent.mkdir(parents=True)
+        (outer / name).write_text(name)
+    (tmp_path / "cy.py").write_text("cy")
+    found = submissions([tmp_path / "class", tmp_path / "cy.py"])
+    assert [each.student for each in found] == ["ada", "bo", "cy"]
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(InputError, match="empty: expected programs, found none"):
+        submissions([tmp_path / "empty"])
+
+
+@pytest.mark.parametrize("name", ["../out.py", "/etc/out.py", "a/../../out.py", "..\\out.py"])
+def test_a_zip_with_a_name_outside_of_itself_is_refused(name: str, tmp_path: Path) -> None:
+    path = zipped(tmp_path / "class.zip", {name: "x"})
+    with pytest.raises(InputError, match="has a file outside of itself"):
+        submissions([path])
+
+
+CLASS = {
+    f"{FOLDER.format('Ada', 2)}/winding.py": solution("winding"),
+    f"{FOLDER.format('Bo', 1)}/winding.py": solution("winding").replace(
+        "(CREAM, TOP, 2, 3)", "(CREAM, TOP, 3, 2)"
+    ),
+    f"{FOLDER.format('=Cy', 3)}/winding.py": "print(1)\n",
+    f"{FOLDER.format('Di', 4)}/notes.txt": "no program",
+}
+
+
+def test_a_class_is_a_row_each_in_every_table(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path / "cache"))
+    found = submissions([zipped(tmp_path / "class.zip", CLASS)])
+    rules = Rules(points=10.0)
+    due = datetime(2026, 11, 3, 11, 0, 0)
+    graded = grade_class(found, rules, due, executor=Here())
+    rows = {each.row.student: each.row for each in graded}
+
+    assert list(rows) == ["=Cy", "Ada", "Bo", "Di"]
+    ada, bo = rows["Ada"], rows["Bo"]
+    assert ada.passed and (ada.points, ada.of, ada.hint, ada.late) == (10.0, 10.0, "", True)
+    assert not bo.passed and 0 < bo.points < 10 and "clockwise" in bo.hint
+    assert "expected a line such as" in rows["=Cy"].error and rows["=Cy"].points == 0
+    assert rows["Di"].error == "Di: handed in no program"
+    assert all(bool(each.picture) == bool(each.row.tests) for each in graded)
+
+    read = list(csv.DictReader(io.StringIO(tables.as_csv(list(rows.values())).decode())))
+    assert [row["student"] for row in read] == ["'=Cy", "Ada", "Bo", "Di"]
+    assert [row["passed"] for row in read] == ["no", "yes", "no", "no"]
+    whole = json.loads(tables.as_json(list(rows.values())))["submissions"]
+    assert whole[1]["tests"][0]["passed"] is True and whole[2]["hint"] == bo.hint
+    suites = ElementTree.fromstring(tables.as_junit(list(rows.values())))
+    assert [suite.get("failures") for suite in suites] == ["0", "0", "1", "0"]
+    assert [suite.get("errors") for suite in suites] == ["1", "0", "0", "1"]
+    result = json.loads(tables.as_gradescope(bo))
+    assert result["score"] == bo.points and len(result["tests"]) == len(bo.tests)
+
+    # A file that has not changed is not run again, unless that is asked for.
+    def fail(*_: object) -> None:
+        raise AssertionError("graded again")
+
+    monkeypatch.setattr(grades._Opened, "graded", fail)
+    assert grade_class(found, rules, due, executor=Here()) == graded
+    with pytest.raises(AssertionError, match="graded again"):
+        grade_class(found, Rules(points=10.0, again=True), due, executor=Here())
+
+
+def test_a_worksheet_changes_in_two_columns_and_nowhere_else() -> None:
+    lines = [
+        f"\ufeff{HEADERS}",
+        'Participant 1,"Bo, the ""first""",,-,',
+        "Participant 2,Ada,,-,",
+        "Participant 9,Nobody,3.00,-,kept",
+    ]
+    sheet = "\r\n".join([*lines, ""]).encode()
+    marks = {
+        "1": moodle.Mark("7.5", 'say "which", twice'),
+        "2": moodle.Mark("10", ""),
+        "5": moodle.Mark("1", "absent"),
+    }
+    filled, absent = moodle.filled(sheet, marks, "sheet.csv")
+    assert absent == ["5"]
+    assert filled.decode().split("\r\n") == [
+        lines[0],
+        'Participant 1,"Bo, the ""first""",7.5,-,"say ""which"", twice"',
+        "Participant 2,Ada,10,-,",
+        lines[3],
+        "",
+    ]
+    french = "Identifiant,Nom complet,Note,Feedback par commentaires\nParticipant 2,Ada,,\n"
+    filled, absent = moodle.filled(french.encode(), marks, "f.csv")
+    assert filled.decode().splitlines()[1] == "Participant 2,Ada,10,"
+    with pytest.raises(InputError, match=r"sheet\.csv: expected a grading worksheet"):
+        moodle.filled(b"a,b\n1,2\n", marks, "sheet.csv")
+    with pytest.raises(InputError, match=r"sheet\.csv: expected a grading worksheet"):
+        moodle.filled(b"\xff\xfe", marks, "sheet.csv")
+
+
+def test_control_characters_of_a_student_reach_no_table() -> None:
+    row = Row("\x1b[31mEve\n", "1", "a\x00.py", hint="\x07 ring", error="")
+    for text in (tables.as_csv([row]), tables.as_junit([row])):
+        assert not set(text.decode()) & set("\x1b\x00\x07")
+    ElementTree.fromstring(tables.as_junit([row]))
+
+
+def test_the_command_writes_what_is_asked_for_and_nothing_where_it_cannot(tmp_path: Path) -> None:
+    zipped(tmp_path / "class.zip", CLASS)
+    sheet = tmp_path / "sheet.csv"
+    sheet.write_text(f"{HEADERS}\nParticipant 1,Bo,,-,\nParticipant 2,Ada,,-,\n")
+    words = ["exercise", "check", "class.zip", "--worksheet", "sheet.csv", "--feedback", "back.zip"]
+    outs = ["--out", "t.csv", "--out", "t.html", "--out", "t.xml", "--out", "gradescope"]
+    done = landscape(*words, *outs, "--lang", "fr", cwd=tmp_path)
+    assert done.status == 1, done.err
+    assert "Ada" in done.out and "Programmes reçus : 1 sur 4" in done.out.replace("\u00a0", " ")
+    assert "Participant 2,Ada,6,-," in sheet.read_text()
+    page = (tmp_path / "t.html").read_text()
+    assert '<html lang="fr">' in page and page.count("data:image/png") == 2
+    with zipfile.ZipFile(tmp_path / "back.zip") as archive:
+        assert f"{FOLDER.format('Bo', 1)}/winding.html" in archive.namelist()
+    assert len(list((tmp_path / "gradescope").glob("*/results.json"))) == 4
+
+    before = sheet.read_bytes()
+    for more, expected in (
+        (["--out", "t.pdf"], "t.pdf: expected a folder, or a name ending in"),
+        (["--worksheet", "t.csv"], "t.csv: expected a grading worksheet"),
+        (["--points", "-1"], "expected a number above 0"),
+        (["--due", "soon"], "expected a date such as"),
+        (["--heat-map", "x.png"], "--heat-map"),
+    ):
+        refused(landscape("exercise", "check", "class.zip", *more, cwd=tmp_path), expected)
+    assert sheet.read_bytes() == before
