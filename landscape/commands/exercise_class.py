@@ -13,6 +13,7 @@ from framelens.base.output import check_folder, check_writable, write_whole
 from framelens.base.progress import Progress
 from framelens.base.texts import Translator, translator
 from framelens.commands.option_values import refusal
+from landscape import __version__
 from landscape.course.grader.grading import _
 from landscape.course.roster import moodle, tables
 from landscape.course.roster.grades import Graded, Rules, grade_class
@@ -121,7 +122,13 @@ def run(options: argparse.Namespace, language: str) -> int:
         moodle.filled(worksheet, {}, str(options.worksheet))
 
     found = submissions(options.files)
-    rules = Rules(language, options.seconds, points=options.points, again=options.again)
+    rules = Rules(
+        language=language,
+        seconds=options.seconds,
+        points=options.points,
+        version=__version__,
+        again=options.again,
+    )
     with Progress(len(found), options.quiet or options.json) as progress:
         graded = grade_class(found, rules, options.due, progress.step, jobs=options.jobs)
 

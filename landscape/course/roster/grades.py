@@ -21,7 +21,6 @@ from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import png
 from framelens.base.texts import said, translator
 from framelens.system.processes import cores
-from landscape import __version__
 from landscape.course.exercise import Grader, Report
 from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.grading import Hint
@@ -54,7 +53,7 @@ class Row:
     late: bool = False
     seconds: float = 0.0
     contained: str = ""
-    version: str = __version__
+    version: str = ""
     error: str = ""
 
 
@@ -71,13 +70,14 @@ class Graded:
 class Rules:
     """How a class is graded; ``points`` is what a program gets that passes all tests.
 
-    Where it is None, each test is worth a point. ``again``: files that have not changed are run,
+    Where it is None, each test is worth a point. ``version`` is told in each row. ``again``: files that have not changed are run,
     too.
     """
 
     language: str = "en"
     seconds: float = SECONDS
     points: float | None = None
+    version: str = ""
     again: bool = False
 
 
@@ -121,7 +121,7 @@ def _given(
     known: Mapping[bytes, tuple[dict[str, Any], bytes]],
 ) -> Graded:
     """Return what a submission is given; ``known`` has what each program is."""
-    row = Row(each.student, each.id, each.file, late=late(each, due))
+    row = Row(each.student, each.id, each.file, late=late(each, due), version=rules.version)
     if each.data is None:
         assert each.error is not None
         return Graded(replace(row, error=said(each.error, rules.language)), each)
