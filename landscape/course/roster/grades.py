@@ -70,8 +70,8 @@ class Graded:
 class Rules:
     """How a class is graded; ``points`` is what a program gets that passes all tests.
 
-    Where it is None, each test is worth a point. ``version`` is told in each row. ``again``: files that have not changed are run,
-    too.
+    Where it is None, each test is worth a point. ``version`` is told in each row. ``again``: files
+    that have not changed are run, too.
     """
 
     language: str = "en"
