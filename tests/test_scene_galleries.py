@@ -7,6 +7,7 @@ import pytest
 from PIL import Image
 
 from framelens.base.texts import LANGUAGES
+from landscape.gallery.figures import update_pages
 from landscape.gallery.scene_captions import STEPS, VIEW_TEXTS
 from landscape.gallery.scene_page import PAIR_SIZE, STEP_SIZE, VIEW_SIZE, page, panels
 from landscape.scene.scene import scene
@@ -21,7 +22,14 @@ NAMES = list(VIEW_TEXTS)
 def test_the_committed_page_is_up_to_date(name: str, language: str) -> None:
     file = "README.md" if language == "en" else f"README.{language}.md"
     text = (KEPT / name / file).read_text(encoding="utf-8")
-    assert text == page(name, language), f"landscape figures {name} --update"
+    assert text == page(name, language), f"landscape figures {name} --pages"
+
+
+def test_pages_are_written_without_a_picture(tmp_path: Path) -> None:
+    update_pages(["hall"], tmp_path)
+    written = sorted(path.name for path in (tmp_path / "hall").iterdir())
+    assert written == ["README.fr.md", "README.md"]
+    assert (tmp_path / "hall" / "README.md").read_text(encoding="utf-8") == page("hall", "en")
 
 
 @pytest.mark.parametrize("name", NAMES)

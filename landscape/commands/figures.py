@@ -22,6 +22,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--check", action="store_true", help="compare with the committed pictures")
     parser.add_argument("--update", action="store_true", help="replace the committed pictures")
+    parser.add_argument(
+        "--pages", action="store_true", help="replace the pages that show them, and no picture"
+    )
     drawing_options(
         parser, samples=4, preset="the figures of the report are always drawn with 2006"
     )
@@ -39,6 +42,9 @@ def run(options: argparse.Namespace) -> int:
     drawing = {**offscreen_options(options), "settings": changes}
     del drawing["preset"]
 
+    if options.pages:
+        figures.update_pages(options.names, gallery)
+        return 0
     if options.update:
         figures.update(options.names, gallery, drawing, options.quiet)
         return 0

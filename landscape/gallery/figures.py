@@ -91,6 +91,17 @@ def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bo
             save_png(picture, path, small=True)
     if renderer and not wanted.lossy:
         write_whole(folder / RENDERER, (renderer + "\n").encode())
+    _write_pages(wanted, folder)
+
+
+def update_pages(names: list[str], folder: Path) -> None:
+    """Rewrite the pages of these panels; no picture is drawn."""
+    wanted = gallery(names)
+    _write_pages(wanted, folder / wanted.folder)
+
+
+def _write_pages(wanted: Gallery, folder: Path) -> None:
+    """Write the page in each language."""
     for language in LANGUAGES:
         name = "README.md" if language == "en" else f"README.{language}.md"
         write_whole(folder / name, wanted.page(language).encode())
