@@ -98,70 +98,100 @@ def planted_by_file(
 
 def plant_refined(settings: Settings, ground: Ground, seed: int, kinds: set[str]) -> TintedSprites:
     """Return all sprites of some ``kinds``: random (seeded) places, sizes and looks."""
-    field, plants = ground.field, settings.plants
     woods = woodland(seed) if settings.trees.grouped else None
-    herbs = herb_chances(settings, ground, seed) if plants.species > 1 else None
-    parts = []
-    for number, kind in enumerate(KINDS):
-        if kind not in kinds:
-            continue
-        rng = np.random.default_rng([seed, number])
-        suits = clear_land(settings, field, COURT if kind == "trees" else CASTLE)
-        if kind == "plants" and herbs is not None:
-            suits = for_herbs(suits, herbs)
-        elif woods is not None:
-            suits = in_woods(kind, settings, ground, suits, woods)
-        grazes = kind == "deer" and settings.deer.variety
-        if grazes:
-            suits = on_grass(suits, ground)
-        various = kind == "trees" and settings.trees.variety and woods is not None
-        if various:
-            assert woods is not None
-            suits = individuals.in_groups(suits, woods, seed)
-        found = random_sprites(kind, settings, field, rng, suits)
-        positions = found.positions
-        sizes = found.sizes
-        cells = found.cells
-        if grazes:
-            positions = at_the_water(positions, moved_to(positions, suits, field, rng), field)
-        n, pictures = len(positions), cells
-        if grazes:
+    herbs = herb_chances(settings, ground, seed) if settings.plants.species > 1 else None
+    habitat = Habitat(settings, ground, seed, woods, herbs)
+    parts = [
+        habitat.planted(kind, np.random.default_rng([seed, number]))
+        for number, kind in enumerate(KINDS)
+        if kind in kinds
+    ]
+    arrays = zip(*(vars(part).values() for part in parts), strict=True)
+    return TintedSprites(*(np.concatenate(each) for each in arrays))
+
+
+@dataclass(frozen=True)
+class Habitat:
+    """The land on which sprites grow; ``woods`` and ``herbs`` are how likely they are, if any."""
+
+    settings: Settings
+    ground: Ground
+    seed: int
+    woods: Chance | None
+    herbs: Chance | None
+
+    def suits(self, kind: str) -> Chance:
+        """Return where one kind of sprite grows."""
+        settings, ground, woods = self.settings, self.ground, self.woods
+        chance = clear_land(settings, ground.field, COURT if kind == "trees" else CASTLE)
+        if kind == "plants" and self.herbs is not None:
+            return for_herbs(chance, self.herbs)
+        if woods is not None:
+            chance = in_woods(kind, settings, ground, chance, woods)
+        if kind == "deer" and settings.deer.variety:
+            return on_grass(chance, ground)
+        if kind == "trees" and settings.trees.variety and woods is not None:
+            return individuals.in_groups(chance, woods, self.seed)
+        return chance
+
+    def planted(self, kind: str, rng: np.random.Generator) -> TintedSprites:
+        """Return all sprites of one kind."""
+        settings, field = self.settings, self.ground.field
+        chance = self.suits(kind)
+        placed = random_sprites(kind, settings, field, rng, chance)
+        positions, sizes, cells = placed.positions, placed.sizes, placed.cells
+        n = len(positions)
+        pictures: np.ndarray | None = None  # each cell's own
+        if kind == "deer" and settings.deer.variety:
+            positions = at_the_water(positions, moved_to(positions, chance, field, rng), field)
             pictures = individuals.poses(cells, rng)
             positions[:, 1] -= SUNK * sizes[:, 1]
+
         tints = np.full((n, 4), 255.0)
-        if woods is not None:
+        if self.woods is not None:
             # No tree is twice as wide as high: keep the report's range, tie width to height.
             sizes[:, 0] = np.clip(sizes[:, 1] * rng.uniform(0.8, 1.1, n), 0, None)
             if kind == "trees":
-                edge = 1.0 - woods(positions[:, 0], positions[:, 2])
-                species, level = settings.trees.species, settings.water.level
-                cells = species_by_place(positions, level, species, rng, edge)
-                if various:
-                    positions, cells, young = individuals.beside(
-                        positions, cells, suits, woods, rng
-                    )
-                    x, z = positions[:, 0], positions[:, 2]
-                    positions[:, 1] = field.terrain_height(x, z)
-                    pictures = individuals.individuals(cells, young, rng)
-                    size_max = settings.trees.size_max
-                    sizes = individuals.statures(pictures, young, woods(x, z), size_max, rng)
-                else:
-                    sizes *= np.where(cells == SHRUB, rng.uniform(0.4, 0.75, n), 1.0)[:, None]
+                positions, sizes, cells, pictures = self._wooded(
+                    positions, sizes, chance, self.woods, rng
+                )
             if kind != "deer":
                 tints[:, :3] *= leaf_tints(rng, n)
-        if kind == "plants" and herbs is not None:
-            cells, sizes = herbs_by_place(herbs(*positions[:, [0, 2]].T), plants, rng)
-            pictures = cells
+
+        if kind == "plants" and self.herbs is not None:
+            chances = self.herbs(*positions[:, [0, 2]].T)
+            cells, sizes = herbs_by_place(chances, settings.plants, rng)
             # White flowers must not be tinted yellow or blue.
             tints[:, :3] = np.where(cells == HERB, 1.0, PLAIN)[:, None] * (tints[:, :3] - 255.0)
             tints[:, :3] += 255.0
-        slopes = slopes_under(field, positions, sizes[:, 0])
-        if pictures is found.cells:
-            pictures = cells
-        parts.append(TintedSprites(positions, sizes, cells, found.flipped, tints, slopes, pictures))
 
-    arrays = zip(*(vars(part).values() for part in parts), strict=True)
-    return TintedSprites(*(np.concatenate(each) for each in arrays))
+        slopes = slopes_under(field, positions, sizes[:, 0])
+        pictures = cells if pictures is None else pictures
+        return TintedSprites(positions, sizes, cells, placed.flipped, tints, slopes, pictures)
+
+    def _wooded(
+        self,
+        positions: np.ndarray,
+        sizes: np.ndarray,
+        chance: Chance,
+        woods: Chance,
+        rng: np.random.Generator,
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Return positions, sizes, species and pictures of trees as they grow in woods."""
+        trees, field = self.settings.trees, self.ground.field
+        edge = 1.0 - woods(positions[:, 0], positions[:, 2])
+        level = self.settings.water.level
+        cells = species_by_place(positions, level, trees.species, rng, edge)
+        if not trees.variety:
+            lower = np.where(cells == SHRUB, rng.uniform(0.4, 0.75, len(cells)), 1.0)
+            return positions, sizes * lower[:, None], cells, cells
+
+        positions, cells, young = individuals.beside(positions, cells, chance, woods, rng)
+        x, z = positions[:, 0], positions[:, 2]
+        positions[:, 1] = field.terrain_height(x, z)
+        pictures = individuals.individuals(cells, young, rng)
+        sizes = individuals.statures(pictures, young, woods(x, z), trees.size_max, rng)
+        return positions, sizes, cells, pictures
 
 
 def in_woods(kind: str, settings: Settings, ground: Ground, clear: Chance, woods: Chance) -> Chance:

@@ -131,47 +131,59 @@ def steel_mesh() -> Mesh:
     shining_sword.py.
     """
     axes, grip = pose()
-    own = face()
+    blade = face()
     if axes[2] @ grip > 0:  # the other side of the blade is the one that is seen
         mirror = np.array([1.0, 1.0, -1.0])
-        own = Mesh(own.vertices * mirror, own.normals * mirror, own.triangles, own.coordinates)
-    square = on_square(own.vertices @ axes + grip)
-    normals = own.normals @ axes
-    share = (own.vertices[:, 1] - ROOT) / (TIP - ROOT)
-    groove = (np.abs(own.vertices[:, 0]) < 0.36 * half_width(share)) & (share < FULLER)
+        blade = Mesh(
+            blade.vertices * mirror, blade.normals * mirror, blade.triangles, blade.coordinates
+        )
+    square = on_square(blade.vertices @ axes + grip)
+    normals = blade.normals @ axes
+    share = (blade.vertices[:, 1] - ROOT) / (TIP - ROOT)
+    groove = (np.abs(blade.vertices[:, 0]) < 0.36 * half_width(share)) & (share < FULLER)
     light = np.clip(DARK + 9.0 * share, 0.0, 1.0) * np.where(groove, 0.80, 1.0)
     colours = np.ones((len(square), 4))
     colours[:, :3] = light[:, None]
 
-    # The soft edge: the outline, and beside it the same with no opacity.
+    border, border_colours, scratch = soft_edge(axes, grip)
+    facing = np.tile(normals[0], (len(border), 1))
+    strip = grid_triangles(len(border) // 2, 2) + np.uint32(len(square))
+
+    flat = np.concatenate([square, border])
+    turned = np.concatenate([normals, facing]) * (ASPECT, 1.0, 1.0 / TAN)
+    return Mesh(
+        np.ascontiguousarray(np.column_stack([flat, -np.ones(len(flat))]), np.float32),
+        np.ascontiguousarray(turned, np.float32),
+        np.ascontiguousarray(np.concatenate([blade.triangles, strip]), np.uint32),
+        (np.ascontiguousarray(np.concatenate([blade.coordinates[0], scratch]), np.float32),),
+        np.ascontiguousarray(np.concatenate([colours, border_colours]), np.float32),
+    )
+
+
+def soft_edge(axes: np.ndarray, grip: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return two rows of vertices: the blade's outline, and beside it the same with no opacity.
+
+    They are places in the picture's square (n, 2), colours (n, 4) and coordinates (n, 2).
+    """
     rim = np.linspace(0.0, 1.0, ROWS + 1)
     rim = 1.0 - (1.0 - rim) ** 1.25
     line = np.concatenate([rim, rim[-2::-1]])
     side = np.concatenate([np.ones(ROWS + 1), -np.ones(ROWS)])
     edge = np.stack([side * half_width(line), ROOT + line * (TIP - ROOT), 0 * line], axis=1)
     at = on_square(edge @ axes + grip) * (ASPECT, 1.0)
+
+    # Outwards: at right angles to the outline, away from its middle.
     along = np.gradient(at, axis=0)
     out = np.stack([along[:, 1], -along[:, 0]], axis=1)
     out /= np.maximum(np.linalg.norm(out, axis=1, keepdims=True), 1e-9)
     middle = at.mean(axis=0)
     out *= np.sign(((at - middle) * out).sum(axis=1).mean())
-    soft = (at + FEATHER * out) / (ASPECT, 1.0)
-    facing = np.tile(normals[0], (2 * len(at), 1))
+    places = np.concatenate([at, at + FEATHER * out]) / (ASPECT, 1.0)
+
     shade = np.tile(np.clip(DARK + 9.0 * line, 0.0, 1.0)[:, None], (2, 3))
     opacity = np.repeat([1.0, 0.0], len(at))[:, None]
-    border = grid_triangles(len(at), 2) + np.uint32(len(square))
     scratch = np.column_stack([3.0 * line, (side + 1) / 2])
-    flat = np.concatenate([square, at / (ASPECT, 1.0), soft])
-    turned = np.concatenate([normals, facing]) * (ASPECT, 1.0, 1.0 / TAN)
-    return Mesh(
-        np.ascontiguousarray(np.column_stack([flat, -np.ones(len(flat))]), np.float32),
-        np.ascontiguousarray(turned, np.float32),
-        np.ascontiguousarray(np.concatenate([own.triangles, border]), np.uint32),
-        (np.ascontiguousarray(np.concatenate([own.coordinates[0], scratch, scratch]), np.float32),),
-        np.ascontiguousarray(
-            np.concatenate([colours, np.column_stack([shade, opacity])]), np.float32
-        ),
-    )
+    return places, np.column_stack([shade, opacity]), np.concatenate([scratch, scratch])
 
 
 def without_blade(picture: np.ndarray) -> np.ndarray:
