@@ -223,6 +223,21 @@ class Elements(Generic[Values]):
         _release(reversed(list(self._elements.values())))
 
 
+class OfElements(Generic[Values]):
+    """A scene that elements draw."""
+
+    elements: Elements[Values]
+
+    @property
+    def shown(self) -> set[str]:
+        """The names of the elements to draw; may be changed between frames."""
+        return self.elements.shown
+
+    @shown.setter
+    def shown(self, names: set[str]) -> None:
+        self.elements.shown = names
+
+
 def _release(elements: Iterable[Element[Values] | None]) -> None:
     for element in elements:
         if element is not None:

@@ -8,7 +8,7 @@ from framelens.gl.extensions import has_stencil
 from framelens.gl.seam import begin_pass, drawing, gl
 from framelens.gl.state import attrib
 from landscape.elements import sun
-from landscape.elements.element import Elements, Site, Slot
+from landscape.elements.element import Elements, OfElements, Site, Slot
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
 from landscape.frame import Frame, Pose
@@ -52,7 +52,7 @@ class Ground:
         return 0.0 if 0.0 <= x <= self.size and 0.0 <= z <= self.size else NOTHING
 
 
-class Hall(Ground):
+class Hall(Ground, OfElements[Settings]):
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
 
     def __init__(
@@ -112,15 +112,6 @@ class Hall(Ground):
         if pool:
             with drawing("pool"):
                 pool.reflect(self._draw_over_pool)
-
-    @property
-    def shown(self) -> set[str]:
-        """The names of the elements to draw; may be changed between frames."""
-        return self.elements.shown
-
-    @shown.setter
-    def shown(self, names: set[str]) -> None:
-        self.elements.shown = names
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False, changing nothing, if the hall must be opened again."""

@@ -29,7 +29,7 @@ from landscape.elements.best.terrain.shadows import ShadowMap, cast_from, light_
 from landscape.elements.best.terrain.terrain import Terrain
 from landscape.elements.castle import Castle
 from landscape.elements.dragon import Dragon
-from landscape.elements.element import Elements
+from landscape.elements.element import Elements, OfElements
 from landscape.elements.ground import Ground, clipped
 from landscape.elements.planting import trunks
 from landscape.elements.rabbit import Rabbit
@@ -57,7 +57,7 @@ SIGNS: Texts = {"castle": "the door leads into the great hall"}
 SOLID = ("castle", "rabbit", "dragon", "sprites", "stones")  # the parts that may stop the walker
 
 
-class Island:
+class Island(OfElements[Settings]):
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
 
     def __init__(
@@ -80,15 +80,6 @@ class Island:
             self.elements.build(*OTHERS)
             self.obstacles = self._obstacles()
             self._stand_in_light()
-
-    @property
-    def shown(self) -> set[str]:
-        """The names of the elements to draw; may be changed between frames."""
-        return self.elements.shown
-
-    @shown.setter
-    def shown(self, names: set[str]) -> None:
-        self.elements.shown = names
 
     @property
     def ground(self) -> Ground:

@@ -12,7 +12,7 @@ import numpy as np
 from framelens.gl.seam import begin_pass, drawing, gl
 from framelens.gl.state import attrib
 from landscape.elements import sun
-from landscape.elements.element import Elements, Slot
+from landscape.elements.element import Elements, OfElements, Slot
 from landscape.elements.settings import Fog
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
@@ -102,7 +102,7 @@ class Shore(NamedTuple):
     points: np.ndarray
 
 
-class Voxel(Played, Ground):
+class Voxel(Played, Ground, OfElements[Settings]):
     """The scene. Needs a current OpenGL context; ``shown`` may be changed between frames."""
 
     obstacles: tuple[Obstacle, ...] = ()
@@ -131,15 +131,6 @@ class Voxel(Played, Ground):
         i, k = (int(min(max(each / block, 0), len(blocks) - 1)) for each in (x, z))
         top = int(np.flatnonzero(blocks[i, k]).max(initial=-1)) + 1
         return max(top * block, self.height(x, z))
-
-    @property
-    def shown(self) -> set[str]:
-        """The names of the elements to draw; may be changed between frames."""
-        return self.elements.shown
-
-    @shown.setter
-    def shown(self, names: set[str]) -> None:
-        self.elements.shown = names
 
     def apply(self, settings: Settings) -> bool:
         """Apply settings; return False, changing nothing, if the land must be built again.

@@ -285,6 +285,30 @@ def box_sizes(mesh: Mesh, strips: Sequence[np.ndarray]) -> list[tuple[int, int]]
     return sizes
 
 
+def sampled(mesh: Mesh, strip: np.ndarray, wide: int, high: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return places and normals (wide * high, 3) of the texels of a strip of a mesh, by rows."""
+    places = spread(mesh.vertices[strip].astype(float), wide, high)
+    normals = spread(mesh.normals[strip].astype(float), wide, high)
+    return places.reshape(-1, 3), normals.reshape(-1, 3)
+
+
+def lay_strip(
+    coordinates: np.ndarray,
+    strip: np.ndarray,
+    corner: tuple[int, int],
+    size: tuple[int, int],
+    side: int,
+) -> None:
+    """Set the texture coordinates of a strip's vertices to a box of a picture, in texels.
+
+    The texels at its borders have their centres on them; the picture has ``side`` texels square.
+    """
+    (x, y), (wide, high) = corner, size
+    along = x + 0.5 + np.linspace(0.0, wide - 1.0, strip.shape[1])
+    coordinates[strip, 0] = along / side
+    coordinates[strip, 1] = np.array([[y + 0.5], [y + high - 0.5]]) / side
+
+
 def light_map(
     mesh: Mesh, strips: Sequence[np.ndarray], sun: Sun, yaw: float, torches: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -301,11 +325,10 @@ def light_map(
     normals = []
     boxes = []
     for strip, (wide, high), (x, y) in zip(strips, sizes, shelves(sizes), strict=True):
-        along = x + 0.5 + np.linspace(0.0, wide - 1.0, strip.shape[1])
-        coordinates[strip, 0] = along / SIDE
-        coordinates[strip, 1] = np.array([[y + 0.5], [y + high - 0.5]]) / SIDE
-        places.append(spread(mesh.vertices[strip].astype(float), wide, high).reshape(-1, 3))
-        normals.append(spread(mesh.normals[strip].astype(float), wide, high).reshape(-1, 3))
+        lay_strip(coordinates, strip, (x, y), (wide, high), SIDE)
+        strip_places, strip_normals = sampled(mesh, strip, wide, high)
+        places.append(strip_places)
+        normals.append(strip_normals)
         boxes.append((slice(y, y + high), slice(x, x + wide)))
 
     facing = np.concatenate(normals)

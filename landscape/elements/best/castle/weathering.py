@@ -12,9 +12,10 @@ import numpy as np
 from landscape.elements.best.castle.baked_light import (
     arriving,
     box_sizes,
+    lay_strip,
     noise,
+    sampled,
     shelves,
-    spread,
     turned_sun,
 )
 from landscape.elements.best.castle.loopholes import openings
@@ -111,8 +112,7 @@ def worn_light_map(
     points, facing = np.empty((ends[-1], 3)), np.empty((ends[-1], 3))
     for k, (strip, (wide, high)) in enumerate(zip(strips, sizes, strict=True)):
         part = slice(ends[k], ends[k + 1])
-        points[part] = spread(mesh.vertices[strip].astype(float), wide, high).reshape(-1, 3)
-        facing[part] = spread(mesh.normals[strip].astype(float), wide, high).reshape(-1, 3)
+        points[part], facing[part] = sampled(mesh, strip, wide, high)
 
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-9)
     coarse = warmed(arriving(points, facing, sun, yaw, torches), facing, sun, yaw)
@@ -124,11 +124,8 @@ def worn_light_map(
     for k, (strip, (wide, high), (x, y)) in enumerate(
         zip(strips, fine_sizes, corners, strict=True)
     ):
-        along = x + 0.5 + np.linspace(0.0, wide - 1.0, strip.shape[1])
-        coordinates[strip, 0] = along / SIDE
-        coordinates[strip, 1] = np.array([[y + 0.5], [y + high - 0.5]]) / SIDE
-        at = spread(mesh.vertices[strip].astype(float), wide, high).reshape(-1, 3)
-        turned = spread(mesh.normals[strip].astype(float), wide, high).reshape(-1, 3)
+        lay_strip(coordinates, strip, (x, y), (wide, high), SIDE)
+        at, turned = sampled(mesh, strip, wide, high)
         flat = coarse[ends[k] : ends[k + 1]].reshape(*sizes[k][::-1], 3)
         shades = between(flat) * streaks(at, turned).reshape(high, wide, 1)
         picture[y : y + high, x : x + wide] = np.minimum(shades / 2.0, 1.0) * 255 + 0.5
