@@ -5,7 +5,6 @@ import reprlib
 import sys
 import traceback
 from collections.abc import Callable, Iterable
-from typing import Any
 
 from framelens.base.packages import speaker
 
@@ -33,7 +32,7 @@ class Message:
     InputError("...") or NoOpenGLError("...").
     """
 
-    def __init__(self, template: str, /, **values: Any) -> None:
+    def __init__(self, template: str, /, **values: object) -> None:
         self.template = template
         self.values = values
 
@@ -48,7 +47,7 @@ class Message:
 class _Error(Exception):
     """An error whose text is that of a Message; without values, any text as it is."""
 
-    def __init__(self, template: str = "", /, **values: Any) -> None:
+    def __init__(self, template: str = "", /, **values: object) -> None:
         super().__init__(template)  # by which it is pickled, with its attributes
         self.values = values
 
@@ -72,7 +71,7 @@ def _in_english(template: str) -> str:
     return template
 
 
-def _filled(template: str, values: dict[str, Any], translate: Translate) -> str:
+def _filled(template: str, values: dict[str, object], translate: Translate) -> str:
     template = translate(template)
     if not values:
         return template
@@ -145,7 +144,7 @@ _REPR = reprlib.Repr()
 _REPR.maxstring = _REPR.maxlong = _REPR.maxother = 60  # characters, chosen
 
 
-def short(value: Any) -> str:
+def short(value: object) -> str:
     """Return a value as Python writes it, on one line and truncated if it is long."""
     try:
         return " ".join(_REPR.repr(value).split())

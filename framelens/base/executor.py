@@ -15,7 +15,7 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from itertools import islice
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 from framelens.base.errors import InputError
 from framelens.system import starting_workers
@@ -44,7 +44,7 @@ class Here(Executor):
     """An executor in this process: a task is done when it is submitted."""
 
     def submit(
-        self, function: Callable[..., Result], /, *arguments: Any, **named: Any
+        self, function: Callable[..., Result], /, *arguments: object, **named: object
     ) -> "Future[Result]":
         future: Future[Result] = Future()
         try:
@@ -68,12 +68,12 @@ class Processes(ProcessPoolExecutor):
         super().__init__(count, spawn, _begin, (self._theirs,))
 
     def submit(
-        self, function: Callable[..., Result], /, *arguments: Any, **named: Any
+        self, function: Callable[..., Result], /, *arguments: object, **named: object
     ) -> "Future[Result]":
         with one_core(), starting_workers():
             return super().submit(_work, function, arguments, named)
 
-    def __exit__(self, kind: Any, error: Any, traceback: Any) -> bool | None:
+    def __exit__(self, kind: object, error: object, traceback: object) -> bool | None:
         if kind is None:
             self.shutdown()
         else:
@@ -117,7 +117,7 @@ def _end_with(parent: PipeEnd) -> None:
 
 
 def _work(
-    function: Callable[..., Result], arguments: tuple[Any, ...], named: dict[str, Any]
+    function: Callable[..., Result], arguments: tuple[object, ...], named: dict[str, object]
 ) -> Result:
     """Do a task in a worker process."""
     global _at_work

@@ -9,7 +9,7 @@ import pickle
 import subprocess
 import sys
 from collections.abc import Callable
-from typing import Any, BinaryIO, NoReturn, TypeVar
+from typing import BinaryIO, NoReturn, TypeVar
 
 from framelens.system import limits
 from framelens.system.processes import one_core
@@ -32,7 +32,7 @@ class Ended(Exception):
 
 def isolated(
     function: Callable[..., Result],
-    *arguments: Any,
+    *arguments: object,
     seconds: float,
     worked: int | None = None,
     megabytes: int | None = None,

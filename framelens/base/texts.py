@@ -17,7 +17,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from numbers import Integral, Real
-from typing import Any, Protocol
+from typing import Protocol
 
 from framelens import system
 from framelens.base.errors import InputError, Message, NoOpenGLError
@@ -133,13 +133,13 @@ class _Formatter(string.Formatter):
     def __init__(self, mark: str) -> None:
         self._mark = mark
 
-    def format_field(self, value: Any, format_spec: str) -> Any:
+    def format_field(self, value: object, format_spec: str) -> object:
         text = super().format_field(value, format_spec)
         fraction = isinstance(value, Real) and not isinstance(value, Integral)
         return text.replace(".", self._mark) if fraction else text
 
 
-def filled(text: str, values: Mapping[str, Any], mark: str = ".") -> str:
+def filled(text: str, values: Mapping[str, object], mark: str = ".") -> str:
     """Return a text with {values} as str.format does; ``mark`` is the decimal mark."""
     return _Formatter(mark).vformat(text, (), values)
 

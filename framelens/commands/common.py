@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError, short
 from framelens.base.texts import choose
@@ -110,7 +109,7 @@ def program_frame(options: argparse.Namespace) -> ProgramFrame:
     )
 
 
-def print_result(options: argparse.Namespace, result: Any, lines: Iterable[str]) -> int:
+def print_result(options: argparse.Namespace, result: object, lines: Iterable[str]) -> int:
     """Print a result as JSON where that is asked for, else as lines; return the exit status."""
     print(json.dumps(result, indent=1) if options.json else "\n".join(lines))
     return 0

@@ -16,12 +16,12 @@ from framelens.base.texts import choose, said
 MOST_JOBS = 256  # chosen
 
 
-def refusal(template: str, /, **values: Any) -> argparse.ArgumentTypeError:
+def refusal(template: str, /, **values: object) -> argparse.ArgumentTypeError:
     """Return the error that argparse shows: a Message in the user's language."""
     return argparse.ArgumentTypeError(said(Message(template, **values), choose(os.environ)))
 
 
-def checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any:
+def checked(check: Callable[..., object], text: str, value: object, *more: object) -> object:
     """Check the value that a text stands for; argparse shows the text if it is wrong."""
     try:
         return check(value, *more, given=repr(text))
@@ -29,18 +29,18 @@ def checked(check: Callable[..., Any], text: str, value: Any, *more: Any) -> Any
         raise argparse.ArgumentTypeError(said(error, choose(os.environ))) from None
 
 
-def size(text: str) -> Any:
+def size(text: str) -> object:
     sides = [arguments.digits(side) for side in text.lower().split("x")]
     if len(sides) != 2 or not all(isinstance(side, int) for side in sides):
         raise refusal("{text!r}: expected WxH such as 800x600", text=text)
     return checked(arguments.size, text, sides)
 
 
-def count(text: str) -> Any:
+def count(text: str) -> object:
     return checked(arguments.whole, text, arguments.digits(text), "")
 
 
-def jobs(text: str) -> Any:
+def jobs(text: str) -> object:
     """Return a number of processes."""
     try:
         found = arguments.whole(arguments.digits(text), "", repr(text))
@@ -55,18 +55,18 @@ def jobs(text: str) -> Any:
     return found
 
 
-def rate(text: str) -> Any:
+def rate(text: str) -> object:
     rate = number(text)
     if rate != 0 and not 1 <= rate <= 1000:
         raise refusal("{text!r}: expected a number from 1 to 1000, or 0", text=text)
     return rate
 
 
-def samples(text: str) -> Any:
+def samples(text: str) -> object:
     return checked(arguments.choice, text, arguments.digits(text), "", arguments.SAMPLES)
 
 
-def backend(text: str) -> Any:
+def backend(text: str) -> object:
     return checked(arguments.choice, text, text, "", arguments.BACKENDS)
 
 

@@ -102,7 +102,7 @@ class ClientArrays:
     def __init__(self) -> None:
         self._unit = TEXTURE0
         self._pointers: dict[tuple[str, int], tuple[str, Arguments]] = {}
-        self._enabled: dict[tuple[str, int], Any] = {}  # with the argument that names it
+        self._enabled: dict[tuple[str, int], object] = {}  # with the argument that names it
         self._stack: list[tuple[Any, ...]] = []
 
     def see(self, name: str, args: Arguments) -> Sequence[tuple[str, Arguments]]:
@@ -158,7 +158,7 @@ class ClientArrays:
         return found
 
 
-def _in_memory(pointer: Any) -> bool:
+def _in_memory(pointer: object) -> bool:
     """Whether a pointer argument is an array of the program's, not an offset into a buffer."""
     return isinstance(pointer, (np.ndarray, list, tuple, bytes, bytearray)) or hasattr(
         pointer, "_length_"

@@ -6,11 +6,10 @@ has a colour of its own, for instance, and others come before it.
 """
 
 from collections.abc import Callable
-from typing import Any
 
 from OpenGL.GL import GL_COMPILE, GL_COMPILE_AND_EXECUTE
 
-Function = Callable[..., Any]
+Function = Callable[..., object]
 
 
 def taken_apart(

@@ -26,7 +26,7 @@ from framelens.gl.originals import patches, unwrapped
 from framelens.gl.redirected import redirected
 from framelens.gl.seam import glu_noted
 
-Make = Callable[[str, Callable[..., Any]], Callable[..., Any]]
+Make = Callable[[str, Callable[..., object]], Callable[..., object]]
 
 # Each chooses a function by its arguments; the tables from which it takes that function.
 CHOOSERS = ("glColor", "glMaterial", "glRasterPos", "glTexParameter", "glVertex")
@@ -58,7 +58,7 @@ def patched(make: Make) -> Iterator[None]:
     from framelens.gl.glu import FUNCTIONS
 
     make = taken_apart(make, unwrapped(OpenGL.GL.glCallList))
-    names: dict[str, Callable[..., Any]] = {}
+    names: dict[str, Callable[..., object]] = {}
 
     def choose(module: str, name: str, value: Any) -> Any:
         if name in FUNCTIONS and module.startswith("OpenGL.GLU"):
@@ -83,7 +83,7 @@ def patched(make: Make) -> Iterator[None]:
         yield
 
 
-def _is_function(name: str, value: Any) -> bool:
+def _is_function(name: str, value: object) -> bool:
     """Return whether a name in a module of PyOpenGL is that of a function of OpenGL."""
     if not (name.startswith("gl") and name[2:3].isupper() and callable(value)):
         return False
@@ -92,13 +92,13 @@ def _is_function(name: str, value: Any) -> bool:
     return not (isinstance(value, type) or name in CHOOSERS or helper)
 
 
-def _own_name(name: str, value: Any) -> str:
+def _own_name(name: str, value: object) -> str:
     """Return the name of the OpenGL function that ``name`` stands for: glLightfv for glLight."""
     own = getattr(value, "__name__", name)
     return own if isinstance(own, str) and own.startswith(name) else name
 
 
-def _replacement(make: Make, name: str, function: Any) -> Any:
+def _replacement(make: Make, name: str, function: Any) -> object:
     from OpenGL.raw.GL.VERSION import GL_1_0, GL_1_1
 
     if any(getattr(raw, name, None) is function for raw in (GL_1_0, GL_1_1)):
@@ -118,24 +118,24 @@ class _Wrapper:
         self.__wrapped__ = function
         self._noted = make(name, redirected(name, function))
 
-    def __call__(self, *args: Any, **named: Any) -> Any:
+    def __call__(self, *args: object, **named: object) -> object:
         return self._noted(*args, **named)
 
     def __bool__(self) -> bool:
         return bool(self.__wrapped__)
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         return getattr(self.__wrapped__, name)
 
 
 def beside(
-    function: Callable[..., Any],
-    before: Callable[[], Any] = lambda: None,
-    after: Callable[[], Any] = lambda: None,
-) -> Callable[..., Any]:
+    function: Callable[..., object],
+    before: Callable[[], object] = lambda: None,
+    after: Callable[[], object] = lambda: None,
+) -> Callable[..., object]:
     """Return ``function`` with something done before and after it; its caller stays its caller."""
 
-    def both(*args: Any, **named: Any) -> Any:
+    def both(*args: object, **named: object) -> object:
         before()
         result = function(*args, **named)
         after()

@@ -57,7 +57,7 @@ def gluOrtho2D(left: float, right: float, bottom: float, top: float) -> None:
     GL.glOrtho(left, right, bottom, top, -1.0, 1.0)
 
 
-def gluPickMatrix(x: float, y: float, width: float, height: float, viewport: Any = None) -> None:
+def gluPickMatrix(x: float, y: float, width: float, height: float, viewport: object = None) -> None:
     """Restrict drawing to a rectangle of the viewport around (x, y), in pixels from below left."""
     if width <= 0 or height <= 0:
         return
@@ -67,7 +67,12 @@ def gluPickMatrix(x: float, y: float, width: float, height: float, viewport: Any
 
 
 def gluProject(
-    x: float, y: float, z: float, model: Any = None, projection: Any = None, view: Any = None
+    x: float,
+    y: float,
+    z: float,
+    model: object = None,
+    projection: object = None,
+    view: object = None,
 ) -> tuple[float, float, float]:
     """Return where a point is in the window: x, y in pixels from below left, depth in 0..1."""
     clip = np.array((x, y, z, 1.0)) @ _modelview(model) @ _projection(projection)
@@ -79,7 +84,12 @@ def gluProject(
 
 
 def gluUnProject(
-    x: float, y: float, z: float, model: Any = None, projection: Any = None, view: Any = None
+    x: float,
+    y: float,
+    z: float,
+    model: object = None,
+    projection: object = None,
+    view: object = None,
 ) -> tuple[float, float, float]:
     """Return the point that gluProject takes to x, y, z."""
     result = _unprojected((x, y, z, 1.0), model, projection, view, 0.0, 1.0)
@@ -94,9 +104,9 @@ def gluUnProject4(
     y: float,
     z: float,
     w: float,
-    model: Any = None,
-    projection: Any = None,
-    view: Any = None,
+    model: object = None,
+    projection: object = None,
+    view: object = None,
     near: float = 0.0,
     far: float = 1.0,
 ) -> tuple[float, ...]:
@@ -105,7 +115,12 @@ def gluUnProject4(
 
 
 def _unprojected(
-    window: Sequence[float], model: Any, projection: Any, view: Any, near: float, far: float
+    window: Sequence[float],
+    model: object,
+    projection: object,
+    view: object,
+    near: float,
+    far: float,
 ) -> Any:
     try:
         inverse = np.linalg.inv(_modelview(model) @ _projection(projection))
@@ -117,12 +132,12 @@ def _unprojected(
     return np.array([*(2.0 * value - 1.0 for value in unit), w]) @ inverse
 
 
-def _modelview(given: Any) -> Any:
+def _modelview(given: object) -> object:
     matrix = GL.glGetDoublev(GL.GL_MODELVIEW_MATRIX) if given is None else given
     return np.reshape(np.array(matrix, np.float64), (4, 4))
 
 
-def _projection(given: Any) -> Any:
+def _projection(given: object) -> Any:
     matrix = GL.glGetDoublev(GL.GL_PROJECTION_MATRIX) if given is None else given
     return np.reshape(np.array(matrix, np.float64), (4, 4))
 
@@ -132,7 +147,7 @@ def _viewport(given: Any) -> tuple[float, ...]:
     return tuple(float(value) for value in view)
 
 
-FUNCTIONS: dict[str, Callable[..., Any]] = QUADRICS | {
+FUNCTIONS: dict[str, Callable[..., object]] = QUADRICS | {
     function.__name__: function
     for function in (
         *(gluPerspective, gluLookAt, gluOrtho2D, gluPickMatrix),

@@ -15,7 +15,7 @@ COMPONENTS = {
     **dict.fromkeys(("STENCIL_INDEX", "DEPTH_COMPONENT"), 1),
     **{"LUMINANCE_ALPHA": 2, "RGB": 3, "BGR": 3, "RGBA": 4, "BGRA": 4},
 }
-TYPES: dict[str, Any] = {
+TYPES: dict[str, object] = {
     **{"UNSIGNED_BYTE": np.uint8, "BYTE": np.int8, "UNSIGNED_SHORT": np.uint16},
     **{"SHORT": np.int16, "UNSIGNED_INT": np.uint32, "INT": np.int32, "FLOAT": np.float32},
 }
@@ -23,7 +23,7 @@ UNPACK = ("ALIGNMENT", "ROW_LENGTH", "SKIP_ROWS", "SKIP_PIXELS")
 
 
 def gluBuild2DMipmaps(
-    target: int, internal: int, width: int, height: int, format: int, type: int, data: Any
+    target: int, internal: int, width: int, height: int, format: int, type: int, data: object
 ) -> int:
     """Give a texture all its levels; its sides become powers of two. Returns 0."""
     if not _readable(format, type):
@@ -48,7 +48,7 @@ def gluBuild2DMipmaps(
 
 
 def gluBuild1DMipmaps(
-    target: int, internal: int, width: int, format: int, type: int, data: Any
+    target: int, internal: int, width: int, format: int, type: int, data: object
 ) -> int:
     """Give a one-dimensional texture all its levels; its width becomes a power of two."""
     if not _readable(format, type):
@@ -76,7 +76,7 @@ def gluScaleImage(
     width: int,
     height: int,
     type: int,
-    data: Any,
+    data: object,
     new_width: int,
     new_height: int,
     new_type: int,
@@ -92,7 +92,7 @@ def gluScaleImage(
     return 0
 
 
-def halved(image: Any) -> Any:
+def halved(image: Any) -> object:
     """Return an image, (rows, columns, components), at half its size: means of 2 x 2 pixels."""
     steps = [2 if side > 1 else 1 for side in image.shape[:2]]
     parts = [image[y :: steps[0], x :: steps[1]] for y in range(steps[0]) for x in range(steps[1])]

@@ -7,7 +7,6 @@ glVertex3f and glEnd. Angles are in degrees; slices go around the z axis, stacks
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from math import cos, hypot, pi, radians, sin
-from typing import Any
 
 import OpenGL.GL as GL
 
@@ -65,7 +64,7 @@ def gluDeleteQuadric(quadric: Quadric) -> None:
     """Do nothing: Python frees it."""
 
 
-def gluQuadricCallback(quadric: Quadric, which: int = 0, function: Any = None) -> None:
+def gluQuadricCallback(quadric: Quadric, which: int = 0, function: object = None) -> None:
     """Do nothing: no error is reported."""
 
 
@@ -269,7 +268,7 @@ def gluPartialDisk(
             quadric.draw(GL.GL_LINE_STRIP, strip)
 
 
-QUADRICS: dict[str, Callable[..., Any]] = {
+QUADRICS: dict[str, Callable[..., object]] = {
     function.__name__: function
     for function in (
         *(gluNewQuadric, gluDeleteQuadric, gluQuadricCallback, gluQuadricDrawStyle),

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from types import ModuleType
 from typing import Any
 
-Choose = Callable[[str, str, Any], Any]
+Choose = Callable[[str, str, object], object]
 """From a module's name, a name in it and its value: what to put in its place, or None."""
 
 
@@ -26,8 +26,8 @@ def replaced(
     modules of the packages ``but`` hold stays. Only names that begin with ``prefix`` are looked at:
     of PyOpenGL's 30,000 most are constants.
     """
-    replacements: dict[int, Any] = {}  # by the identity of the value
-    originals: dict[int, Any] = {}  # by the identity of the replacement
+    replacements: dict[int, object] = {}  # by the identity of the value
+    originals: dict[int, object] = {}  # by the identity of the replacement
 
     def apply(module: ModuleType) -> None:
         if _belongs(module.__name__, but):
@@ -60,7 +60,7 @@ def replaced(
                     held[name] = originals[id(value)]
 
 
-def _held(held: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
+def _held(held: dict[str, object], prefix: str) -> list[tuple[str, object]]:
     names = [name for name in held if name.startswith(prefix) and not name.startswith("__")]
     return [(name, held[name]) for name in names]
 

@@ -61,7 +61,7 @@ def require(library: str, backend: str) -> ctypes.CDLL:
 
 def functions(
     library: ctypes.CDLL, name: str, signatures: Mapping[str, Signature], backend: str
-) -> Any:
+) -> object:
     """Return functions of a library, declared; NoOpenGLError if it lacks one of them."""
     declared = SimpleNamespace()
     for function, (result, arguments) in signatures.items():

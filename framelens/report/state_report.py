@@ -24,7 +24,7 @@ class Report:
     parts: Mapping[str, Mapping[str, Any]]
     compared: bool
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> dict[str, object]:
         """Return the state, or name to [before, after]; of several passes the first and last."""
         found: dict[str, Any] = {}
         for part in self.parts.values():

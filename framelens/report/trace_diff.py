@@ -7,7 +7,6 @@ the line of code and what they set; of those that match, the arguments are compa
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
-from typing import Any
 
 from framelens.gl.seam import Call
 from framelens.tape.edits import as_code, selectors
@@ -21,7 +20,7 @@ class Difference:
     removed: Sequence[Call]
     changed: Sequence[tuple[Call, Call]]
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> dict[str, object]:
         """Return the difference as `landscape trace --diff --json` prints it."""
         return {
             "added": [call.as_json() for call in self.added],
@@ -48,7 +47,7 @@ def difference(first: Sequence[Call], second: Sequence[Call]) -> Difference:
     return Difference(added, removed, changed)
 
 
-def _sort(call: Call) -> tuple[Any, ...]:
+def _sort(call: Call) -> tuple[object, ...]:
     """Return what two calls must share to be the same call with, perhaps, other arguments."""
     # The name of an object tells nothing: in another frame it is another number.
     given = call.args if call.given is None else call.given
@@ -56,7 +55,7 @@ def _sort(call: Call) -> tuple[Any, ...]:
     return call.pass_, call.element, call.name, call.site.file, call.site.function, select
 
 
-def _content(call: Call) -> Any:
+def _content(call: Call) -> object:
     """Return what makes a call what it is: its arguments, and what its display lists execute."""
     listed = [(inner.name, inner.shown, inner.skipped) for inner in call.listed]
     return listed or call.shown, call.skipped

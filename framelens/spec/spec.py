@@ -8,7 +8,6 @@ objects and a few more; the ARB and EXT names of known functions are understood.
 
 from collections.abc import Sequence
 from functools import cache
-from typing import Any
 
 from framelens.base.texts import translator
 from framelens.spec.spec_arguments import (
@@ -105,7 +104,7 @@ def explain(name: str, language: str) -> str:
     return translator(language, "calls")(FUNCTIONS[known.base], known.base) if known else ""
 
 
-def explain_argument(name: str, index: int, args: Sequence[Any], language: str) -> str:
+def explain_argument(name: str, index: int, args: Sequence[object], language: str) -> str:
     """Return what an argument means, in a line; "" if it is unknown.
 
     The value of a property is explained as this property: GL_FOG_DENSITY in glFogf.

@@ -32,7 +32,7 @@ def function(name: str) -> Function | None:
     return known.get(name) or known.get(VENDORS.sub("", name))
 
 
-def parameter(name: str, index: int, args: Sequence[Any]) -> Parameter | None:
+def parameter(name: str, index: int, args: Sequence[object]) -> Parameter | None:
     """Return what argument ``index`` of a call is, or None where the table lacks it."""
     known = function(name)
     if known is None:
@@ -49,7 +49,7 @@ def parameter(name: str, index: int, args: Sequence[Any]) -> Parameter | None:
 
 
 def _decided(
-    known: Function, found: Parameter, form: Sequence[Parameter], args: Sequence[Any]
+    known: Function, found: Parameter, form: Sequence[Parameter], args: Sequence[object]
 ) -> Parameter:
     """Return what an argument is whose pname decides."""
     place = next(k for k, other in enumerate(form) if other.name == "pname")
@@ -60,18 +60,18 @@ def _decided(
     return replace(found, kind="vector" if known.vector else "float", of="")
 
 
-def _is_offset(value: Any) -> bool:
+def _is_offset(value: object) -> bool:
     """Return whether a pointer argument is an offset into a buffer object."""
     return value is None or isinstance(value, (int, np.integer, ctypes.c_void_p))
 
 
-def kind_of(name: str, index: int, args: Sequence[Any]) -> str:
+def kind_of(name: str, index: int, args: Sequence[object]) -> str:
     """Return the kind of an argument (see spec_functions), or "" where the table lacks it."""
     found = parameter(name, index, args)
     return found.kind if found else ""
 
 
-def limits(name: str, index: int, args: Sequence[Any]) -> tuple[float, float] | None:
+def limits(name: str, index: int, args: Sequence[object]) -> tuple[float, float] | None:
     """Return the least and the greatest legal value of an argument, or of each component.
 
     An end without a limit is infinite; None where there is none at all. Where OpenGL demands more
@@ -84,7 +84,7 @@ def limits(name: str, index: int, args: Sequence[Any]) -> tuple[float, float] | 
     return low, math.inf if found.high is None else found.high
 
 
-def legal(name: str, index: int, args: Sequence[Any]) -> tuple[str, ...]:
+def legal(name: str, index: int, args: Sequence[object]) -> tuple[str, ...]:
     """Return the names of an argument's legal enumerants, or of the bits of its mask.
 
     Where OpenGL accepts some numbers only, as for GL_RGB_SCALE, these as text. () for all others.
@@ -107,7 +107,7 @@ def legal(name: str, index: int, args: Sequence[Any]) -> tuple[str, ...]:
     return allowed
 
 
-def _other(found: Parameter, form: Sequence[Parameter], args: Sequence[Any]) -> str:
+def _other(found: Parameter, form: Sequence[Parameter], args: Sequence[object]) -> str:
     """Return the enumerant of the argument that decides the group of ``found``."""
     for place, other in enumerate(form):
         if other.name == found.other and place < len(args):
@@ -141,13 +141,13 @@ def number(value: Any) -> float | None:
         return None
 
 
-def name_in(group: str, value: Any) -> str:
+def name_in(group: str, value: object) -> str:
     """Return the name that a value has in a group, "" where it has none."""
     found = number(value)
     return _values(group).get(found, "") if found is not None else ""
 
 
-def enumerant(name: str, index: int, args: Sequence[Any]) -> str:
+def enumerant(name: str, index: int, args: Sequence[object]) -> str:
     """Return the name of an argument's enumerant; where it is illegal, the value's own or ""."""
     found, known = parameter(name, index, args), function(name)
     if found is not None and known is not None and found.kind == "enum":

@@ -114,7 +114,7 @@ def parsed(name: str, index: int, args: Sequence[Any], text: str) -> Any:
     )
 
 
-def _chosen(name: str, found: Parameter, allowed: Sequence[str], text: str) -> Any:
+def _chosen(name: str, found: Parameter, allowed: Sequence[str], text: str) -> object:
     """Return the value of one of the legal enumerants, given by its name or its number."""
     alias = {"True": "GL_TRUE", "False": "GL_FALSE"}.get(text, text)
     plain = re.sub(r"^(GL_)?(?=[A-Z])", "GL_", alias) if not alias.startswith("GLU_") else alias
@@ -210,7 +210,7 @@ def _vector(name: str, found: Parameter, given: Any, text: str) -> np.ndarray:
     return array.reshape(np.shape(given)) if np.size(given) == count else array
 
 
-def _dtype(name: str, given: Any, of: str = "") -> Any:
+def _dtype(name: str, given: object, of: str = "") -> Any:
     """Return the type of numbers that a function reads from an array."""
     if isinstance(given, np.ndarray):
         return given.dtype

@@ -9,7 +9,6 @@ the parameter "face" says.
 import itertools
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from framelens.spec.spec_arguments import function, name_in
 from framelens.spec.spec_table import names
@@ -175,7 +174,9 @@ MODES = {
 NOT_LISTED = {"GL_FOG_DISTANCE_MODE_NV"}
 
 
-def sets(name: str, args: Sequence[Any], known: Mapping[str, Any] | None = None) -> tuple[str, ...]:
+def sets(
+    name: str, args: Sequence[object], known: Mapping[str, object] | None = None
+) -> tuple[str, ...]:
     """Return the names of the variables that a call sets, whether or not their values change.
 
     ``known`` is the state before the call, as state.read() returns it, or a part of it:
@@ -201,7 +202,7 @@ def sets(name: str, args: Sequence[Any], known: Mapping[str, Any] | None = None)
     return tuple(name for name in result if name not in NOT_LISTED)
 
 
-def _filled(template: str, values: Mapping[str, str], state: Mapping[str, Any]) -> list[str]:
+def _filled(template: str, values: Mapping[str, str], state: Mapping[str, object]) -> list[str]:
     """Return the names that a template stands for."""
     found = re.search(r"\{(\w+)\}", template)
     if found is None:
@@ -211,7 +212,7 @@ def _filled(template: str, values: Mapping[str, str], state: Mapping[str, Any]) 
     return list(itertools.chain.from_iterable(_filled(each, values, state) for each in filled))
 
 
-def _choices(word: str, values: Mapping[str, str], state: Mapping[str, Any]) -> Sequence[str]:
+def _choices(word: str, values: Mapping[str, str], state: Mapping[str, object]) -> Sequence[str]:
     """Return what a word in braces stands for."""
     if word in ("unit", "client"):
         variable = "GL_ACTIVE_TEXTURE" if word == "unit" else "GL_CLIENT_ACTIVE_TEXTURE"
@@ -230,7 +231,10 @@ def _choices(word: str, values: Mapping[str, str], state: Mapping[str, Any]) -> 
 
 
 def _current(
-    variable: str, every: Sequence[str] | Mapping[str, Any], group: str, state: Mapping[str, Any]
+    variable: str,
+    every: Sequence[str] | Mapping[str, object],
+    group: str,
+    state: Mapping[str, object],
 ) -> Sequence[str]:
     """Return the value of a selecting variable by name, or all values where it is not known."""
     if variable not in state:
@@ -240,7 +244,7 @@ def _current(
     return [text] if text else list(every)
 
 
-def _tracked(values: Mapping[str, str], state: Mapping[str, Any]) -> list[str]:
+def _tracked(values: Mapping[str, str], state: Mapping[str, object]) -> list[str]:
     """Return the parts of the material that follow the current colour."""
     if not state.get("GL_COLOR_MATERIAL") and values.get("cap") != "GL_COLOR_MATERIAL":
         return []

@@ -68,7 +68,7 @@ def read(pushed: Sequence[int] | None = None, pushed_client: Sequence[int] | Non
     return state
 
 
-def _read_pushed(stack: str, masks: list[int], state: State) -> list[dict[str, Any]]:
+def _read_pushed(stack: str, masks: list[int], state: State) -> list[dict[str, object]]:
     """Read what each push has saved, by popping it, and push it again."""
     if state[f"{stack}_DEPTH"] != len(masks):
         depth = state[f"{stack}_DEPTH"]
@@ -78,7 +78,7 @@ def _read_pushed(stack: str, masks: list[int], state: State) -> list[dict[str, A
             depth=depth,
             count=len(masks),
         )
-    levels: list[dict[str, Any]] = []
+    levels: list[dict[str, object]] = []
     above = _values(state)
     for mask in reversed(masks):
         getattr(raw, POP[stack])()
@@ -91,7 +91,7 @@ def _read_pushed(stack: str, masks: list[int], state: State) -> list[dict[str, A
 
 
 def _push_again(
-    stack: str, levels: Sequence[Mapping[str, Any]], now: State, target: Mapping[str, Any]
+    stack: str, levels: Sequence[Mapping[str, object]], now: State, target: Mapping[str, object]
 ) -> None:
     """Push levels that were popped; ``now`` is the state below them, ``target`` the one on top."""
     for level, state in zip(levels, _states_above(levels, target), strict=True):
@@ -103,10 +103,10 @@ def _push_again(
 
 
 def _states_above(
-    levels: Sequence[Mapping[str, Any]], target: Mapping[str, Any]
-) -> list[dict[str, Any]]:
+    levels: Sequence[Mapping[str, Any]], target: Mapping[str, object]
+) -> list[dict[str, object]]:
     """Return for each push the state that is current until the next one."""
-    states: list[dict[str, Any]] = []
+    states: list[dict[str, object]] = []
     state = dict(target)
     for level in reversed(levels):
         states.insert(0, state)
@@ -114,7 +114,7 @@ def _states_above(
     return states
 
 
-def _values(state: Mapping[str, Any]) -> State:
+def _values(state: Mapping[str, object]) -> State:
     """Return a state without the attribute stacks."""
     return {name: value for name, value in state.items() if "ATTRIB_STACK" not in name}
 
@@ -183,7 +183,9 @@ def _drop_errors() -> None:
             break
 
 
-def difference(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, list[Any]]:
+def difference(
+    before: Mapping[str, object], after: Mapping[str, object]
+) -> dict[str, list[object]]:
     """Return what differs, name to [before, after]; None for what one of them does not have."""
     found = {}
     for name in dict.fromkeys((*before, *after)):
@@ -196,7 +198,9 @@ def difference(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str,
 SINGLE_OR_DOUBLE = ("GL_FRONT", "GL_BACK", "GL_COLOR_ATTACHMENT0")
 
 
-def changed(state: Mapping[str, Any], size: tuple[int, int] | None = None) -> dict[str, list[Any]]:
+def changed(
+    state: Mapping[str, Any], size: tuple[int, int] | None = None
+) -> dict[str, list[object]]:
     """Return what differs from the initial state, name to [initial value, value].
 
     ``size`` is that of the window, in pixels: initially the viewport and the scissor box cover it.

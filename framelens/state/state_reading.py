@@ -43,7 +43,7 @@ PIXEL_MAPS = [name for name in VARIABLES if name.startswith("GL_PIXEL_MAP_")]
 COEFFICIENTS = [each for each in VARIABLES.values() if each.query == "coefficients"]
 STENCIL_MASKS = [n for n in VARIABLES if n.startswith("GL_STENCIL_") and n.endswith("MASK")]
 
-Step = tuple[str, Callable[..., Any], tuple[Any, ...], Callable[[], Any]]
+Step = tuple[str, Callable[..., object], tuple[object, ...], Callable[[], object]]
 """The name of a variable, the query, its arguments, and what takes the value from a buffer."""
 
 
@@ -61,9 +61,9 @@ class Plan:
             self.steps[unit] = [_step(v.name) for v in mine if v.kind not in (FLAG, LIST)]
 
     @functools.cached_property
-    def single(self) -> dict[str, tuple[int | None, Callable[[], Any]]]:
+    def single(self) -> dict[str, tuple[int | None, Callable[[], object]]]:
         """For each variable its texture unit and what reads it."""
-        found: dict[str, tuple[int | None, Callable[[], Any]]] = {}
+        found: dict[str, tuple[int | None, Callable[[], object]]] = {}
         for unit in (None, *range(self.units)):
             for name, cap in self.flags[unit]:
                 found[name] = unit, partial(lambda cap: raw.glIsEnabled(cap) != 0, cap)
@@ -188,7 +188,9 @@ def read_some(names: Iterable[str]) -> State:
     return found
 
 
-def _asked(query: Callable[..., Any], args: tuple[Any, ...], take: Callable[[], Any]) -> Any:
+def _asked(
+    query: Callable[..., object], args: tuple[object, ...], take: Callable[[], object]
+) -> object:
     query(*args)
     return take()
 
@@ -223,7 +225,7 @@ def _step(name: str) -> Step:
     return variable.name, getattr(raw, query), args, _taking(buffer, kind, count)
 
 
-def _taking(buffer: Any, kind: Kind, count: int) -> Callable[[], Any]:
+def _taking(buffer: Any, kind: Kind, count: int) -> Callable[[], object]:
     """Return what takes a value from a buffer; a ``count`` of 0 means a single one."""
     if isinstance(kind, tuple):
         if count:

@@ -22,10 +22,10 @@ STENCIL = {
 RASTER = "GL_CURRENT_RASTER_"
 
 # Memory that OpenGL writes hits and feedback to: it must live as long as the context may use it.
-_memory: dict[tuple[str, int], Any] = {}
+_memory: dict[tuple[str, int], object] = {}
 
 
-def apply(now: State, target: Mapping[str, Any]) -> None:
+def apply(now: State, target: Mapping[str, object]) -> None:
     """Set what differs; both states are whole, and ``now`` is the current one.
 
     Afterwards ``now`` equals ``target``, but for the depths of the attribute stacks.
@@ -47,7 +47,7 @@ def apply(now: State, target: Mapping[str, Any]) -> None:
     now.update(target)
 
 
-def _bind_containers(now: State, target: Mapping[str, Any]) -> None:
+def _bind_containers(now: State, target: Mapping[str, object]) -> None:
     """Bind framebuffers and the array of arrays, which bring state of their own with them."""
     for name, place in FRAMEBUFFERS.items():
         if now.get(name) != target.get(name):
@@ -152,7 +152,7 @@ def _set_stacks(now: State, target: Mapping[str, Any]) -> None:
             raw.glLoadMatrixf(_array(matrix))
 
 
-def _set_rest(now: State, target: Mapping[str, Any]) -> None:
+def _set_rest(now: State, target: Mapping[str, object]) -> None:
     """Set, unit by unit, what one call sets with no regard to anything else."""
     done: set[str] = set()
     active = client = ""
@@ -236,7 +236,7 @@ def _set_evaluator(
     variable: Variable, order: list[int], domain: list[float], points: list[float]
 ) -> None:
     width = len(variable.initial)
-    args: list[Any] = []
+    args: list[object] = []
     for k, count in enumerate(order):
         stride = width if k == len(order) - 1 else width * order[-1]
         args += [*domain[2 * k : 2 * k + 2], stride, count]
@@ -244,7 +244,7 @@ def _set_evaluator(
     function(enum(variable.asked[0]), *args, _array(points))
 
 
-def _set_arrays(now: State, target: Mapping[str, Any]) -> None:
+def _set_arrays(now: State, target: Mapping[str, object]) -> None:
     """Point the client arrays at the addresses, or offsets in buffers, that they had."""
     name = "GL_ARRAY_BUFFER_BINDING"
     bound = now[name]
@@ -293,14 +293,14 @@ def _set_modes(now: State, target: Mapping[str, Any]) -> None:
         raw.glPushName(0)
 
 
-def _kept(purpose: str, kind: Any, size: int) -> Any:
+def _kept(purpose: str, kind: Any, size: int) -> object:
     key = (purpose, size)
     if key not in _memory:
         _memory[key] = (kind * max(1, size))()
     return _memory[key]
 
 
-def _numbers(variable: Variable, value: Any) -> list[Any]:
+def _numbers(variable: Variable, value: object) -> list[object]:
     """Return a value as numbers that a call takes."""
     many = value if isinstance(value, (list, tuple)) else [value]
     if isinstance(variable.kind, tuple):
@@ -308,14 +308,14 @@ def _numbers(variable: Variable, value: Any) -> list[Any]:
     return [int(v) if isinstance(v, bool) else v for v in many]
 
 
-def _array(values: Any, kind: Any = ctypes.c_float) -> Any:
+def _array(values: Any, kind: Any = ctypes.c_float) -> object:
     return (kind * len(values))(*values)
 
 
-def _call(variable: Variable, target: Mapping[str, Any]) -> None:
+def _call(variable: Variable, target: Mapping[str, object]) -> None:
     """Make the call that sets a variable, as its table row describes it."""
     function, *words = variable.how.split()
-    args: list[Any] = []
+    args: list[object] = []
     for word in words:
         if word == "$":
             args += _numbers(variable, target[variable.name])

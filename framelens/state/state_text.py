@@ -18,12 +18,12 @@ from framelens.state.state_variables import GROUPS, VARIABLES
 MOST_NUMBERS = 8  # chosen: of a list, in a line
 
 
-def as_json(values: Mapping[str, Any]) -> dict[str, Any]:
+def as_json(values: Mapping[str, object]) -> dict[str, Any]:
     """Return a state, or a difference, with the fewest digits that give each number again."""
     return {name: _shortened(name, value) for name, value in values.items()}
 
 
-def _shortened(name: str, value: Any) -> Any:
+def _shortened(name: str, value: object) -> object:
     if isinstance(value, float):
         variable = VARIABLES.get(name)
         double = variable is not None and variable.kind == DOUBLE
@@ -35,7 +35,7 @@ def _shortened(name: str, value: Any) -> Any:
     return value
 
 
-def as_text(state: Mapping[str, Any]) -> Iterator[str]:
+def as_text(state: Mapping[str, object]) -> Iterator[str]:
     """Yield the lines that list a state; ``*`` marks what differs from the initial value.
 
     Lights, texture units, evaluators and the like that are as they were initially share a line.
@@ -58,7 +58,7 @@ def as_text(state: Mapping[str, Any]) -> Iterator[str]:
             yield from _lines(f"  {mark} {name:{width}}  ", lines)
 
 
-def difference_as_text(difference: Mapping[str, Sequence[Any]]) -> Iterator[str]:
+def difference_as_text(difference: Mapping[str, Sequence[object]]) -> Iterator[str]:
     """Yield the lines that list a difference of two states: what was, and what is."""
     for group, names in _groups(difference):
         yield group
@@ -68,7 +68,7 @@ def difference_as_text(difference: Mapping[str, Sequence[Any]]) -> Iterator[str]
             yield from _lines(f"    {name:{width}}  ", _beside(before, after))
 
 
-def _groups(names: Mapping[str, Any]) -> Iterator[tuple[str, list[str]]]:
+def _groups(names: Mapping[str, object]) -> Iterator[tuple[str, list[str]]]:
     """Yield the groups that have a name, each with its names in the order of the tables."""
     for group in GROUPS:
         mine = [name for name in VARIABLES if name in names and VARIABLES[name].group == group]
@@ -86,7 +86,7 @@ _OWNER = re.compile(
 )
 
 
-def _runs(names: Sequence[str], marked: Mapping[str, Any]) -> Iterator[tuple[bool, list[str]]]:
+def _runs(names: Sequence[str], marked: Mapping[str, object]) -> Iterator[tuple[bool, list[str]]]:
     """Yield owners of one kind that are as initially (True), or names to list one by one."""
 
     def owner(name: str) -> tuple[int, str]:
@@ -146,7 +146,7 @@ def _stack(name: str, value: Sequence[Any]) -> list[str]:
     return lines or ["none below the top"]
 
 
-def _mask(stack: str, level: Mapping[str, Any]) -> str:
+def _mask(stack: str, level: Mapping[str, object]) -> str:
     """Return the mask of a pushed level by its bits' names."""
     mask = level["mask"]
     return mask if isinstance(mask, str) else written(PUSH[stack], 0, (mask,))
@@ -162,7 +162,7 @@ def _rows(matrix: Sequence[float]) -> list[str]:
     ]
 
 
-def _number(value: Any) -> str:
+def _number(value: object) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     return f"{value:.6g}" if isinstance(value, float) else str(value)

@@ -195,7 +195,7 @@ def _unit(k: int) -> Iterator[Variable]:
 def _map(dimensions: int, name: str, point: tuple[float, ...]) -> Iterator[Variable]:
     """Yield the variables of one evaluator."""
     yield Variable(name, "evaluators", FLAG, False, "glIsEnabled", (name,))
-    order: Any = 1 if dimensions == 1 else (1, 1)
+    order: object = 1 if dimensions == 1 else (1, 1)
     for part, kind, initial in (("ORDER", INT, order), ("DOMAIN", FLOAT, (0.0, 1.0) * dimensions)):
         asked = (name, f"GL_{part}")
         yield Variable(f"{name}.GL_{part}", "evaluators", kind, initial, "glGetMap", asked)
@@ -223,7 +223,7 @@ VARIABLES: dict[str, Variable] = {variable.name: variable for variable in variab
 GROUPS = tuple(dict.fromkeys(variable.group for variable in VARIABLES.values()))
 
 
-def _as_read(variable: Variable) -> Any:
+def _as_read(variable: Variable) -> object:
     """Return an initial value as it is read: floats rounded to single precision, vectors lists."""
     value = variable.initial
     if variable.kind in (FLOAT, LIST):
@@ -235,7 +235,7 @@ def _as_read(variable: Variable) -> Any:
     return list(value) if isinstance(value, tuple) else value
 
 
-DEFAULTS: dict[str, Any] = {name: _as_read(variable) for name, variable in VARIABLES.items()}
+DEFAULTS: dict[str, object] = {name: _as_read(variable) for name, variable in VARIABLES.items()}
 """The initial state, by the specification.
 
 Five of its values depend on the window and the OpenGL, and the ones here stand in for them:

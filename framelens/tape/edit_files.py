@@ -17,7 +17,6 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path, PurePosixPath
-from typing import Any
 
 from framelens.base.errors import InputError, short
 from framelens.base.input import read_bounded
@@ -40,10 +39,10 @@ def write(edits: Sequence[Edit], path: Path) -> None:
     write_whole(path, (json.dumps(entries, indent=1) + "\n").encode())
 
 
-def as_json(edit: Edit) -> dict[str, Any]:
+def as_json(edit: Edit) -> dict[str, object]:
     """Return an edit as a file has it."""
     key = edit.key
-    call: dict[str, Any] = {name: getattr(key, name) for name in TEXTS}
+    call: dict[str, object] = {name: getattr(key, name) for name in TEXTS}
     call |= {"pass": key.pass_, "select": list(key.select), "occurrence": edit.occurrence}
     if edit.shown:
         call["was"] = edit.shown
@@ -85,7 +84,7 @@ def read(path: Path, sources: Path | None = None) -> list[Edit]:
     ]
 
 
-def _edit(entry: Any, where: str) -> Edit:
+def _edit(entry: object, where: str) -> Edit:
     """Return the edit that an entry of a file describes."""
     if not isinstance(entry, dict) or not isinstance(entry.get("call"), dict):
         raise InputError(
@@ -112,7 +111,7 @@ def _edit(entry: Any, where: str) -> Edit:
     )
 
 
-def _key(call: Mapping[str, Any], where: str) -> Key:
+def _key(call: Mapping[str, object], where: str) -> Key:
     select = call.get("select", [])
     if not isinstance(select, list) or not all(isinstance(each, str) for each in select):
         raise InputError('{where}: expected "select" to be a list of names', where=where)
@@ -137,7 +136,7 @@ def _key(call: Mapping[str, Any], where: str) -> Key:
     )
 
 
-def _text(entry: Mapping[str, Any], name: str, where: str) -> str:
+def _text(entry: Mapping[str, object], name: str, where: str) -> str:
     value = entry.get(name, "")
     if not isinstance(value, str):
         raise InputError(
@@ -146,7 +145,7 @@ def _text(entry: Mapping[str, Any], name: str, where: str) -> str:
     return value
 
 
-def _whole(entry: Mapping[str, Any], name: str, where: str) -> int:
+def _whole(entry: Mapping[str, object], name: str, where: str) -> int:
     value = entry.get(name, 0)
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 1 << 31:
         raise InputError(
@@ -158,7 +157,7 @@ def _whole(entry: Mapping[str, Any], name: str, where: str) -> int:
     return value
 
 
-def _value(value: Any, where: str) -> Any:
+def _value(value: object, where: str) -> object:
     """Return a value that an argument may have; InputError for another."""
     if isinstance(value, list):
         if 0 < len(value) <= 64 and all(_is_number(each) for each in value):
@@ -189,7 +188,7 @@ def _enumerants() -> frozenset[str]:
     return frozenset(name for group in groups for name in names(group))
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> bool:
     # A bool is an int of Python.
     return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e30
 

@@ -34,7 +34,7 @@ SELECTORS = (
 )
 
 
-def selectors(name: str, args: Sequence[Any]) -> tuple[str, ...]:
+def selectors(name: str, args: Sequence[object]) -> tuple[str, ...]:
     """Return the arguments that say what a call sets, as text: ("GL_LIGHT0", "GL_AMBIENT")."""
     counts = [
         (len(start), count)
@@ -130,7 +130,7 @@ def _same_file(given: str, file: str) -> bool:
 
 def key_of(
     name: str,
-    args: Sequence[Any],
+    args: Sequence[object],
     element: str,
     pass_: str,
     site: Site,
@@ -153,7 +153,7 @@ class Edit:
     key: Key
     occurrence: int = 0
     argument: int = 0
-    value: Any = None
+    value: object = None
     component: int | None = None
     skip: bool = False
     shown: str = ""  # the call as it was, for messages
@@ -201,7 +201,7 @@ class NotAllowed(ValueError):
     """OpenGL could crash with this value."""
 
 
-def fitting(edit: Edit, args: Sequence[Any]) -> Any:
+def fitting(edit: Edit, args: Sequence[Any]) -> object:
     """Return what an edit makes of its argument; ValueError and the like where it cannot."""
     name, index = edit.key.name, edit.argument
     former = args[index]
@@ -260,8 +260,8 @@ class Edits:
             self._counts, self._list = self._outer.pop()
 
     def change(
-        self, name: str, args: tuple[Any, ...], elements: tuple[str, ...], pass_: str, site: Site
-    ) -> tuple[Any, ...] | None:
+        self, name: str, args: tuple[object, ...], elements: tuple[str, ...], pass_: str, site: Site
+    ) -> tuple[object, ...] | None:
         """Return the arguments to use for a call, ``args`` itself if no edit is of it."""
         keys = self._by_name.get(name)
         if keys is None:
@@ -277,7 +277,7 @@ class Edits:
             mine += [index for index in keys[each] if self.edits[index].occurrence == occurrence]
         return self._apply(sorted(mine), args)
 
-    def _apply(self, indices: Sequence[int], args: tuple[Any, ...]) -> tuple[Any, ...] | None:
+    def _apply(self, indices: Sequence[int], args: tuple[object, ...]) -> tuple[object, ...] | None:
         changed = list(args)
         for index in indices:
             edit = self.edits[index]
@@ -332,7 +332,7 @@ class Located:
     key: Key
     occurrence: int
 
-    def edit(self, argument: int = 0, value: Any = None, component: int | None = None) -> Edit:
+    def edit(self, argument: int = 0, value: object = None, component: int | None = None) -> Edit:
         """Return an edit of one of the call's arguments."""
         return Edit(self.key, self.occurrence, argument, value, component, shown=as_code(self.call))
 
@@ -376,7 +376,7 @@ def as_code(call: Call) -> str:
     return f"{call.name}({', '.join(arguments)})"
 
 
-def _argument(call: Call, index: int, value: Any) -> str:
+def _argument(call: Call, index: int, value: object) -> str:
     """Return an argument in a few characters; ``value`` is the argument as JSON.
 
     An enumerant that the program gave as a plain number, or as an array of one, has its name.
@@ -389,7 +389,7 @@ def _argument(call: Call, index: int, value: Any) -> str:
     return brief(value)
 
 
-def brief(value: Any) -> str:
+def brief(value: object) -> str:
     """Return an argument, given as JSON, in a few characters."""
     if isinstance(value, dict) and "values" in value:
         values = value["values"]

@@ -27,7 +27,7 @@ class Effect:
     """The variables that a call sets, by name, before and after it."""
 
     before: Mapping[str, Any]
-    after: Mapping[str, Any]
+    after: Mapping[str, object]
 
     @property
     def redundant(self) -> bool:
@@ -69,7 +69,7 @@ def watch(recorder: Recorder, numbers: Container[int]) -> dict[str, Effect]:
     but calls inside display lists are not among them.
     """
     found: dict[str, Effect] = {}
-    former: dict[int, Mapping[str, Any]] = {}
+    former: dict[int, Mapping[str, object]] = {}
     inside = False
 
     def before(call: Call) -> None:

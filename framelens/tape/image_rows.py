@@ -20,7 +20,7 @@ Origins = dict[bytes, tuple[str, Site]]
 """By :func:`key_of`: the call that gave the pixels, and its line."""
 
 
-def key_of(data: Any) -> bytes:
+def key_of(data: object) -> bytes:
     """Return what tells the pixels of an image from those of others."""
     raw = data if isinstance(data, (bytes, bytearray)) else np.ascontiguousarray(data).tobytes()
     return hashlib.sha1(raw).digest()
@@ -47,7 +47,7 @@ def noted() -> Iterator[Origins]:
 
 
 @contextmanager
-def _replaced(owner: Any, name: str, new: Any) -> Iterator[None]:
+def _replaced(owner: object, name: str, new: object) -> Iterator[None]:
     former = owner.__dict__[name]
     setattr(owner, name, new)
     try:
@@ -56,9 +56,11 @@ def _replaced(owner: Any, name: str, new: Any) -> Iterator[None]:
         setattr(owner, name, former)
 
 
-def _of_pygame(name: str, function: Callable[..., Any], found: Origins) -> Callable[..., Any]:
+def _of_pygame(name: str, function: Callable[..., object], found: Origins) -> Callable[..., object]:
     @functools.wraps(function)
-    def given(surface: Any, format: str, flipped: bool = False, *args: Any, **named: Any) -> Any:
+    def given(
+        surface: object, format: str, flipped: bool = False, *args: object, **named: object
+    ) -> object:
         data = function(surface, format, flipped, *args, **named)
         if not flipped:
             found[key_of(data)] = f"pygame.image.{name}", caller(sys._getframe(1))
@@ -73,19 +75,19 @@ def _of_pil(image: Any, found: Origins) -> dict[str, Any]:
     transpose = image.transpose
     tobytes = image.tobytes
 
-    def _new(self: Any, core: Any) -> Any:
+    def _new(self: Any, core: object) -> object:
         derived = new_image(self, core)
         derived.rows_flipped = getattr(self, "rows_flipped", False)
         return derived
 
-    def flip(self: Any, method: Any) -> Any:
+    def flip(self: object, method: Any) -> object:
         derived = transpose(self, method)
         # FLIP_TOP_BOTTOM and ROTATE_180 turn the rows round.
         if int(method) in (1, 3):
             derived.rows_flipped = not getattr(self, "rows_flipped", False)
         return derived
 
-    def given(self: Any, *args: Any, **named: Any) -> bytes:
+    def given(self: object, *args: object, **named: object) -> bytes:
         data: bytes = tobytes(self, *args, **named)
         if not getattr(self, "rows_flipped", False):
             found[key_of(data)] = "tobytes", caller(sys._getframe(1))

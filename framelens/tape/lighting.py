@@ -7,7 +7,6 @@ back; so materials, normals and the interpolation between the vertices are those
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -51,13 +50,13 @@ class Light:
         ambient = f"ambient {colour(self.ambient)}"
         return f"{self.name}: {ambient} + {diffuse} + specular {colour(self.specular)}"
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> dict[str, object]:
         """Return the shares as `landscape pixel --json` prints them."""
         shares = {name: _list(getattr(self, name)) for name in SHARES}
         return {"light": self.name, **shares, "n_l": self.facing, "attenuation": self.reach}
 
 
-def shares(fragment: Fragment) -> tuple[list[str], dict[str, Any]]:
+def shares(fragment: Fragment) -> tuple[list[str], dict[str, object]]:
     """Return how lighting comes to a fragment's colour, as text and as numbers.
 
     ``fragment`` draws it without fog and textures. GL_LIGHTING must be enabled.

@@ -4,7 +4,6 @@ Afterwards the whole frame is drawn once more, so that its context is as it was.
 """
 
 import re
-from typing import Any
 
 from framelens.base.errors import InputError, short
 from framelens.gl.raw import raw
@@ -87,7 +86,7 @@ def _read_at(tape: Tape, place: str) -> State:
     return pushed.read()
 
 
-def leaks(tape: Tape, element: str) -> dict[str, dict[str, list[Any]]]:
+def leaks(tape: Tape, element: str) -> dict[str, dict[str, list[object]]]:
     """Return for each pass of the frame what an element leaves changed: name to [before, after].
 
     That is the difference of the states before its first call and after its last one in the pass.
@@ -109,7 +108,7 @@ def _after(tape: Tape, number: int) -> str:
     return str(number + 1) if number + 1 < len(tape.calls) else ""
 
 
-def _lasting(before: State, after: State) -> dict[str, list[Any]]:
+def _lasting(before: State, after: State) -> dict[str, list[object]]:
     """Return the difference of two states without what has no effect in either."""
     found = difference(before, after)
     for name in list(found):

@@ -41,17 +41,17 @@ class Row:
     arithmetic: str
     pixel: Pixel
     primitive: int | None = None
-    parts: dict[str, Any] = field(default_factory=dict)
+    parts: dict[str, object] = field(default_factory=dict)
 
     @property
     def call(self) -> Call:
         """The call that drew."""
         return self.step.call
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> dict[str, object]:
         """Return the row as `landscape pixel --json` prints it."""
         call, place = self.call, self.step.place
-        entry: dict[str, Any] = {
+        entry: dict[str, object] = {
             "call": self.step.number,
             "name": call.name,
             "element": self.step.elements[0],
@@ -187,7 +187,7 @@ class _History:
 
     def _row(self, step: Step, draw: Draws, primitive: int | None, fragments: int) -> Row:
         outcome, text = self._outcome(draw)
-        parts: dict[str, Any] = {} if fragments == 1 else {"fragments": fragments}
+        parts: dict[str, object] = {} if fragments == 1 else {"fragments": fragments}
         before = self._probe.read()
         if outcome == "drawn":
             text, parts = self._arithmetic(draw, before, parts)
@@ -236,7 +236,7 @@ class _History:
 
     def _arithmetic(
         self, draw: Draws, before: Pixel, parts: dict[str, Any]
-    ) -> tuple[str, dict[str, Any]]:
+    ) -> tuple[str, dict[str, object]]:
         """Return how a drawn fragment gets its colour, as text and as numbers."""
         probe = self._probe
         units = probe.units()

@@ -125,7 +125,7 @@ def _pieces(mode: str, vertices: int, first: int, last: int) -> list[tuple[str, 
     return [(mode, list(range(vertices)))]
 
 
-def _point(arrays: Sequence[tuple[str, tuple[Any, ...]]]) -> None:
+def _point(arrays: Sequence[tuple[str, tuple[object, ...]]]) -> None:
     for name, args in arrays:
         getattr(gl, name)(*args)
 
@@ -178,8 +178,8 @@ def _of_arrays(call: Call) -> Primitives:
 def _of_begin(draw: Draw) -> Primitives:
     """Take a glBegin apart: a vertex keeps the colour, the normal, ... that it was sent with."""
     named = _mode(draw.first.call.args[0])
-    vertices: list[tuple[dict[Any, Call], Call]] = []
-    current: dict[Any, Call] = {}
+    vertices: list[tuple[dict[object, Call], Call]] = []
+    current: dict[object, Call] = {}
     for step in draw.steps[1:-1]:
         call = step.call
         if call.skipped:
@@ -204,7 +204,7 @@ def _of_begin(draw: Draw) -> Primitives:
     return Primitives(_counted(named, len(vertices)), draw_some)
 
 
-def _attribute(call: Call) -> Any:
+def _attribute(call: Call) -> object:
     """Return what a call between glBegin and glEnd sets: a later one of the same replaces it."""
     name = call.name
     if name.startswith("glMultiTexCoord"):

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from framelens.gl.seam import gl
 
@@ -41,7 +41,7 @@ class Lens:
         """Whether the projection is a perspective one."""
         return self.c != 0.0
 
-    def distance(self, depth: Any) -> Any:
+    def distance(self, depth: ArrayLike) -> object:
         """Return the distance from the plane of the eye at depths from 0 to 1, in eye units."""
         near, far = self.range
         z = (2.0 * np.asarray(depth, np.float64) - near - far) / ((far - near) or 1.0)

@@ -36,7 +36,7 @@ def may_be_left_out(name: str) -> bool:
     return not _fixed(name) and name not in PAIRED
 
 
-def may_be_changed(name: str, index: int, args: Sequence[Any]) -> bool:
+def may_be_changed(name: str, index: int, args: Sequence[object]) -> bool:
     """Whether argument ``index`` of a call may have another value."""
     found = spec.parameter(name, index, args)
     if found is None or _fixed(name):

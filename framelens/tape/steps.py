@@ -7,7 +7,6 @@ that call 12 executes, "12.3.0" the first of a list that that one executes.
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 from framelens.base.errors import InputError, short
 from framelens.gl.client import POINTERS
@@ -81,7 +80,7 @@ def _expanded(step: Step) -> Iterator[Step]:
         yield _added(call, "glPopClientAttrib")
 
 
-def _added(call: Call, name: str, *args: Any) -> Step:
+def _added(call: Call, name: str, *args: object) -> Step:
     made = replace(call, name=name, args=args, executed=(), arrays=(), kept=None)
     return Step("", made, made)
 

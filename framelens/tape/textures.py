@@ -1,13 +1,11 @@
 """Is a texture complete, and so used? OpenGL treats one that is not as if texturing were off."""
 
-from typing import Any
-
 from framelens.gl.seam import gl
 
 MIPMAPPED = (0x2700, 0x2701, 0x2702, 0x2703)  # filters that read smaller levels
 
 
-def completeness(texture: int) -> tuple[str, Any, dict[str, Any]] | None:
+def completeness(texture: int) -> tuple[str, object, dict[str, object]] | None:
     """Return why a texture is not complete: state, value, numbers for the text; None if it is."""
     former = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
     gl.glBindTexture(gl.GL_TEXTURE_2D, texture)

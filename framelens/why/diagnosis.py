@@ -68,12 +68,12 @@ class Cause:
     call: int
     source: str
     state: str
-    value: Any
+    value: object
     pixels: int
-    values: dict[str, Any]
+    values: dict[str, object]
     hidden: bool = False  # whether the pixels are those that a window does not show
 
-    def as_json(self, language: str) -> dict[str, Any]:
+    def as_json(self, language: str) -> dict[str, object]:
         """Return the cause as `landscape why --json` prints it."""
         return {
             "cause": self.cause,
@@ -92,13 +92,13 @@ class Diagnosis:
     """What was found: a verdict by its key in findings.py, and the causes, the likeliest first."""
 
     verdict: str
-    verdict_values: dict[str, Any]
+    verdict_values: dict[str, object]
     causes: Sequence[Cause]
     ruled_out: Sequence[str]
     walk: Sequence[str] = field(default_factory=tuple)
     drew: bool = True  # whether the frame draws anything at all
 
-    def as_json(self, language: str) -> dict[str, Any]:
+    def as_json(self, language: str) -> dict[str, object]:
         """Return the diagnosis as `landscape why --json` prints it."""
         return {
             "verdict": word(language, self.verdict, **self.verdict_values),
@@ -239,7 +239,7 @@ def _ordered(proven: Sequence[tuple[Suspect, int]]) -> list[tuple[Suspect, int]]
 
 
 def _distinct(proven: Sequence[tuple[Suspect, int]]) -> list[tuple[Suspect, int]]:
-    seen: set[Any] = set()
+    seen: set[object] = set()
     kept = []
     for suspect, pixels in proven:
         family = FAMILIES.get(suspect.cause, suspect.cause)
@@ -336,7 +336,7 @@ def _verdict(found: Survey, causes: Sequence[Cause]) -> tuple[str, dict[str, Any
     return "visible", {}
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: object) -> object:
     if isinstance(value, (np.integer, np.floating)):
         return value.item()
     if isinstance(value, tuple):

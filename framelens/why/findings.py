@@ -5,7 +5,6 @@ A sentence is filled in with the numbers that were found; the ID of a mend is th
 """
 
 from collections.abc import Mapping
-from typing import Any
 
 from framelens.base.texts import Texts, translator
 
@@ -405,27 +404,27 @@ FAMILIES: dict[str, str] = {
 IDS = tuple(key for key in CAUSES if not key.endswith(".mend"))
 
 
-def text(language: str, cause: str, values: Mapping[str, Any]) -> str:
+def text(language: str, cause: str, values: Mapping[str, object]) -> str:
     """Return what is wrong, in a sentence."""
     return _filled(language, CAUSES[cause], cause, values)
 
 
-def mend(language: str, cause: str, values: Mapping[str, Any]) -> str:
+def mend(language: str, cause: str, values: Mapping[str, object]) -> str:
     """Return what would mend it."""
     return _filled(language, CAUSES[f"{cause}.mend"], f"{cause}.mend", values)
 
 
-def word(language: str, key: str, **values: Any) -> str:
+def word(language: str, key: str, **values: object) -> str:
     """Return another text of the report."""
     return _filled(language, WORDS[key], key, values)
 
 
-def _filled(language: str, english: str, key: str, values: Mapping[str, Any]) -> str:
+def _filled(language: str, english: str, key: str, values: Mapping[str, object]) -> str:
     template = translator(language, "why")(english, key)
     return template.format_map({name: shown(value) for name, value in values.items()})
 
 
-def shown(value: Any) -> Any:
+def shown(value: object) -> object:
     """Return a value as it stands in a sentence."""
     if isinstance(value, bool):
         return "GL_TRUE" if value else "GL_FALSE"

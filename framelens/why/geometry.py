@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from framelens.gl.seam import Call, gl
 from framelens.tape.primitives import Draw
@@ -317,7 +318,7 @@ class Placed:
         return [name for name in PLANES if self.faces and self.whole[name] == self.faces]
 
 
-def placed(found: Vertices, modelview: Any, projection: Any) -> Placed:
+def placed(found: Vertices, modelview: ArrayLike, projection: ArrayLike) -> Placed:
     """Return where the matrices, 16 numbers each in OpenGL's order, put the vertices."""
     model = np.array(modelview, np.float64).reshape(4, 4)
     project = np.array(projection, np.float64).reshape(4, 4)

@@ -344,11 +344,11 @@ def _changed(
     kind: str,
     call: Call,
     buffer: int,
-    args: Any,
+    args: object,
     strength: float,
     state: str,
-    value: Any,
-    values: dict[str, Any],
+    value: object,
+    values: dict[str, object],
 ) -> Suspect:
     return Suspect(
         cause,

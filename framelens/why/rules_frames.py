@@ -108,11 +108,11 @@ def masked_clear(survey: Survey) -> Iterator[Suspect]:
             )
 
 
-def _flag(name: str, value: Any) -> list[Action]:
+def _flag(name: str, value: object) -> list[Action]:
     return [("glEnable" if value else "glDisable", (cap(name),))]
 
 
-def _texture(name: str, value: Any) -> list[Action]:
+def _texture(name: str, value: object) -> list[Action]:
     return [("glActiveTexture", (gl.GL_TEXTURE0,)), *_flag("GL_TEXTURE_2D", value)]
 
 
@@ -180,7 +180,7 @@ def _made_before(survey: Survey) -> Mapping[str, Call]:
     return setters.last
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: object) -> object:
     return list(value) if isinstance(value, (list, tuple)) else value
 
 

@@ -169,7 +169,7 @@ def _far_side(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
         if not mine[0].state[name]:
             continue
         set_by = mine[0].setter(f"{name}.GL_POSITION")
-        values: dict[str, Any] = {"light": name}
+        values: dict[str, object] = {"light": name}
         if set_by is not None:
             values["call"] = written(set_by)
             position = [float(v) for v in np.ravel(np.asarray(set_by.args[2]))]
@@ -321,7 +321,7 @@ def _with_normals(draws: Sequence[Drawn]) -> Change:
     return Change(instead=instead)
 
 
-def _as_triangles(draw: Drawn, normal_of: dict[int, tuple[float, ...]]) -> Any:
+def _as_triangles(draw: Drawn, normal_of: dict[int, tuple[float, ...]]) -> object:
     found = draw.vertices
     assert found is not None
 

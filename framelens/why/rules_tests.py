@@ -45,7 +45,7 @@ def groups(survey: Survey) -> list[list[Drawn]]:
     ]
 
 
-def _of(draws: Sequence[Drawn], name: str, value: Any = True) -> list[Drawn]:
+def _of(draws: Sequence[Drawn], name: str, value: object = True) -> list[Drawn]:
     return [draw for draw in draws if draw.state.get(name) == value]
 
 

@@ -67,7 +67,7 @@ OPENINGS = {
 }
 
 
-def _renamed(call: Call, place: int, names: dict[int, int]) -> Any:
+def _renamed(call: Call, place: int, names: dict[int, int]) -> object:
     def act() -> None:
         args = list(call.args)
         args[place] = names.get(0, 0)

@@ -184,7 +184,7 @@ class Survey:
 
     def same(self, draws: Sequence[Drawn]) -> list[list[Drawn]]:
         """Return draws in groups: those that the same lines of the program lead to."""
-        groups: dict[Any, list[Drawn]] = {}
+        groups: dict[object, list[Drawn]] = {}
         for draw in draws:
             groups.setdefault(draw.chain or draw.place, []).append(draw)
         return list(groups.values())

@@ -9,6 +9,7 @@ from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from framelens.gl.notes import plain
 from framelens.gl.seam import Call, GluCall, gl
@@ -35,7 +36,7 @@ class Suspect:
     change: Change | None
     strength: float
     state: str = ""
-    value: Any = None
+    value: object = None
     values: dict[str, Any] = field(default_factory=dict)
     pixels: int = 0
     draws: Sequence[Drawn] = ()
@@ -75,7 +76,7 @@ def on(name: str, draws: Iterable[Drawn] | None) -> Change:
     return with_state(["ENABLE"], [("glEnable", (cap(name),))], draws)
 
 
-def load(mode: str, matrix: Any) -> Callable[[], None]:
+def load(mode: str, matrix: ArrayLike) -> Callable[[], None]:
     """Return the action that sets a matrix, 16 numbers in OpenGL's order, of GL_MODELVIEW, ..."""
     array = np.array(matrix, np.float64).reshape(4, 4)
 
@@ -88,7 +89,7 @@ def load(mode: str, matrix: Any) -> Callable[[], None]:
     return act
 
 
-def with_matrix(mode: str, new: Callable[[Drawn], Any], draws: Iterable[Drawn]) -> Change:
+def with_matrix(mode: str, new: Callable[[Drawn], ArrayLike], draws: Iterable[Drawn]) -> Change:
     """Return the change that gives draws another matrix; ``new`` makes it."""
     around = []
     for draw in draws:
@@ -140,7 +141,7 @@ def closed(draw: Drawn) -> bool:
     if found is None or found.mode not in ("GL_QUADS", "GL_TRIANGLES") or len(found.faces) < 4:
         return False
     keys = [tuple(np.round(p, 4).tolist()) for p in found.positions[:20_000]]
-    edges: dict[Any, int] = {}
+    edges: dict[object, int] = {}
     for face in found.faces:
         if max(face) >= len(keys):
             return False
@@ -169,7 +170,7 @@ def written(at: At) -> str:
     return f"{at.name}({', '.join(_short(value) for value in values)})"
 
 
-def _short(value: Any) -> str:
+def _short(value: object) -> str:
     if isinstance(value, dict) and "values" in value:
         numbers = value["values"]
         if len(numbers) <= 4 and all(isinstance(each, (int, float)) for each in numbers):
@@ -178,18 +179,18 @@ def _short(value: Any) -> str:
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def is_identity(matrix: Any) -> bool:
+def is_identity(matrix: ArrayLike) -> bool:
     """Return whether a matrix is the identity."""
     return bool(np.allclose(np.array(matrix, np.float64).reshape(4, 4), np.eye(4), atol=1e-6))
 
 
-def perspective(matrix: Any) -> bool:
+def perspective(matrix: ArrayLike) -> bool:
     """Return whether a projection is a perspective one."""
     flat = np.array(matrix, np.float64).reshape(16)
     return bool(abs(flat[11]) > 1e-6 and abs(flat[15]) < 1e-6)
 
 
-def near_far(matrix: Any) -> tuple[float, float]:
+def near_far(matrix: ArrayLike) -> tuple[float, float]:
     """Return the distances of the near and the far plane of a projection."""
     m = np.array(matrix, np.float64).reshape(4, 4)
     a, b = m[2, 2], m[3, 2]
@@ -199,7 +200,9 @@ def near_far(matrix: Any) -> tuple[float, float]:
         return float((b + 1.0) / a), float((b - 1.0) / a)
 
 
-def with_planes(matrix: Any, near: float | None = None, far: float | None = None) -> np.ndarray:
+def with_planes(
+    matrix: ArrayLike, near: float | None = None, far: float | None = None
+) -> np.ndarray:
     """Return a projection with another near or far plane, of the same angle of view."""
     m = np.array(matrix, np.float64).reshape(4, 4).copy()
     n, f = near_far(matrix)

@@ -8,7 +8,6 @@ picture, or for each draw how many fragments pass.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
@@ -19,12 +18,12 @@ from framelens.tape.readback import read_color
 from framelens.tape.steps import Step, repeatable, steps
 from framelens.tape.tape import Tape
 
-Action = tuple[str, tuple[Any, ...]] | Callable[[], object]
+Action = tuple[str, tuple[object, ...]] | Callable[[], object]
 """A call, by name and arguments, or anything that makes calls."""
 
 # Between these, OpenGL counts or selects for the program itself.
 ASIDE = ("glBeginQuery", "glEndQuery")
-Thunk = tuple[Callable[..., Any], tuple[Any, ...]]
+Thunk = tuple[Callable[..., object], tuple[object, ...]]
 
 
 @dataclass(frozen=True)
@@ -264,7 +263,7 @@ def _act(actions: Sequence[Action]) -> None:
             getattr(gl, action[0])(*map(_array, action[1]))
 
 
-def _array(value: Any) -> Any:
+def _array(value: object) -> object:
     """Return numbers as the array that a function takes, anything else as it is."""
     return np.array(value, np.float32) if isinstance(value, (tuple, list)) else value
 

@@ -79,7 +79,7 @@ def _extensions() -> SimpleNamespace:
     return SimpleNamespace(**known)
 
 
-def devices() -> list[tuple[Any, bool]]:
+def devices() -> list[tuple[object, bool]]:
     """Return the handle of each device, and whether it is software; none if EGL cannot say."""
     egl = _extensions()
     if not (egl.eglQueryDevicesEXT and egl.eglQueryDeviceStringEXT):
@@ -87,7 +87,7 @@ def devices() -> list[tuple[Any, bool]]:
     handles, count = (ctypes.c_void_p * MOST)(), ctypes.c_int32()
     egl.eglQueryDevicesEXT(MOST, handles, ctypes.byref(count))
 
-    def is_software(handle: Any) -> bool:
+    def is_software(handle: object) -> bool:
         return b"EGL_MESA_device_software" in (
             egl.eglQueryDeviceStringEXT(handle, EXTENSIONS) or b""
         )
@@ -95,7 +95,7 @@ def devices() -> list[tuple[Any, bool]]:
     return [(handle, is_software(handle)) for handle in handles[: count.value]]
 
 
-def software_device() -> Any:
+def software_device() -> object:
     """Return the handle of a device that is software, or None."""
     return next((handle for handle, is_software in devices() if is_software), None)
 
@@ -111,7 +111,7 @@ class EGLContext:
         self.lists: Lists = {}
         self.size = size
         self._egl = library()
-        self._context: Any = None
+        self._context: object = None
         if not self._opened(self._software_displays() if software else self._displays()):
             wanted = advice.install("egl")
             raise NoOpenGLError(
@@ -123,7 +123,7 @@ class EGLContext:
         if software:
             check_software(self)
 
-    def _opened(self, displays: tuple[Callable[[], Any], ...]) -> bool:
+    def _opened(self, displays: tuple[Callable[[], object], ...]) -> bool:
         """Open the context on the first display that has one."""
         self._reason = ""
         for display in displays:
@@ -135,10 +135,10 @@ class EGLContext:
                 self._reason = self._reason or str(error)
         return False
 
-    def _displays(self) -> tuple[Callable[[], Any], ...]:
+    def _displays(self) -> tuple[Callable[[], object], ...]:
         return self._surfaceless, lambda: self._egl.eglGetDisplay(None), *self._hardware_devices()
 
-    def _hardware_devices(self) -> Iterator[Callable[[], Any]]:
+    def _hardware_devices(self) -> Iterator[Callable[[], object]]:
         """Yield what opens the display of each graphics card.
 
         A vendor's driver without a window system may have no display but these.
@@ -147,25 +147,25 @@ class EGLContext:
             if not is_software:
                 yield partial(self._platform_display, DEVICE, handle)
 
-    def _software_displays(self) -> tuple[Callable[[], Any], ...]:
+    def _software_displays(self) -> tuple[Callable[[], object], ...]:
         return self._software_device, self._surfaceless_software
 
-    def _platform_display(self, platform: int, device: Any = None) -> Any:
+    def _platform_display(self, platform: int, device: object = None) -> object:
         open_display = _extensions().eglGetPlatformDisplayEXT
         if open_display is None:
             raise NoOpenGLError("EGL has no eglGetPlatformDisplayEXT")
         return open_display(platform, device, None)
 
-    def _surfaceless(self) -> Any:
+    def _surfaceless(self) -> object:
         return self._platform_display(SURFACELESS_MESA)
 
-    def _software_device(self) -> Any:
+    def _software_device(self) -> object:
         device = software_device()
         if device is None:
             raise NoOpenGLError("EGL has no software device")
         return self._platform_display(DEVICE, device)
 
-    def _surfaceless_software(self) -> Any:
+    def _surfaceless_software(self) -> object:
         os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
         return self._surfaceless()
 
@@ -185,7 +185,7 @@ class EGLContext:
             raise NoOpenGLError("eglCreateContext failed")
         self.make_current()
 
-    def _configurations(self) -> list[Any]:
+    def _configurations(self) -> list[object]:
         """Return the configurations with OpenGL and a 24-bit depth buffer."""
         wanted = {
             SURFACE_TYPE: PBUFFER_BIT,
@@ -203,16 +203,16 @@ class EGLContext:
             raise NoOpenGLError("EGL has no configuration with OpenGL and a 24-bit depth buffer")
         return list(configs[: count.value])
 
-    def _like_others(self, config: Any) -> tuple[bool, bool]:
+    def _like_others(self, config: object) -> tuple[bool, bool]:
         """Return whether a configuration has 8 bits of red, and of alpha."""
         return self._attribute(config, RED_SIZE) == 8, self._attribute(config, ALPHA_SIZE) == 8
 
-    def _attribute(self, config: Any, name: int) -> int:
+    def _attribute(self, config: object, name: int) -> int:
         value = ctypes.c_int32()
         self._egl.eglGetConfigAttrib(self._display, config, name, ctypes.byref(value))
         return value.value
 
-    def _buffer(self) -> Any:
+    def _buffer(self) -> object:
         wanted = (ctypes.c_int32 * 5)(WIDTH, self.size[0], HEIGHT, self.size[1], NONE)
         return self._egl.eglCreatePbufferSurface(self._display, self._config, wanted)
 

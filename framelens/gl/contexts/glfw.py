@@ -86,7 +86,7 @@ class GLFWContext:
 
         self.lists: Lists = {}
         self.glfw: Any = glfw
-        self.window: Any = None
+        self.window: object = None
         self._egl: EGLContext | None = None
         glfw.ERROR_REPORTING = "ignore"
         drawn_by = HEADLESS if backend == "headless" else {backend}.intersection(HEADLESS)
