@@ -10,6 +10,7 @@ from landscape.scene.scene import SCENES, Scene, check_options, scene
 from landscape.settings import declare
 from landscape.settings.notices import (
     WALK,
+    Slot,
     conditions,
     ignored,
     in_words,
@@ -26,7 +27,9 @@ class Flyover:
     """The software fly-over: it has settings as a scene has, but there are no views of it."""
 
     name = "flyover"
-    elements, slots, unread = (), (), ()
+    elements: tuple[str, ...] = ()
+    slots: tuple[Slot, ...] = ()
+    unread: tuple[str, ...] = ()
     settings, presets = flyover.Settings(), flyover.PRESETS
 
     def values(self, name: str | None, changes: Mapping[str, Any] | None = None) -> Any:

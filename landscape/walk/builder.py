@@ -96,7 +96,8 @@ class WorldFile:
         other = next_free(self._path.stem, self._path.suffix, self._path.parent)
         write_whole(other, data)
         former = self._path
-        self._path, self._content, self._saved = other, data, data
+        self._path = other
+        self._content = self._saved = data
         raise InputError(
             "{error}; {former} stays as it is, and this walk is saved in {other}",
             error=error,

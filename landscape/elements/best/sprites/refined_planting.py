@@ -122,7 +122,8 @@ class Habitat:
 
     def suits(self, kind: str) -> Chance:
         """Return where one kind of sprite grows."""
-        settings, ground, woods = self.settings, self.ground, self.woods
+        settings, ground = self.settings, self.ground
+        woods = self.woods
         chance = clear_land(settings, ground.field, COURT if kind == "trees" else CASTLE)
         if kind == "plants" and self.herbs is not None:
             return for_herbs(chance, self.herbs)
@@ -139,7 +140,8 @@ class Habitat:
         settings, field = self.settings, self.ground.field
         chance = self.suits(kind)
         placed = random_sprites(kind, settings, field, rng, chance)
-        positions, sizes, cells = placed.positions, placed.sizes, placed.cells
+        positions, sizes = placed.positions, placed.sizes
+        cells = placed.cells
         n = len(positions)
         pictures: np.ndarray | None = None  # each cell's own
         if kind == "deer" and settings.deer.variety:

@@ -128,7 +128,8 @@ class Rules:
 
     def _site(self, x: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, ...]:
         """Return height above the water, slope, bareness, rock and free ground, (n,) each."""
-        ground, castle, rabbit = self._ground, self._settings.castle, self._settings.rabbit
+        ground = self._ground
+        castle, rabbit = self._settings.castle, self._settings.rabbit
         colour, fall = ground.drawn_colour(x, z), downhill(ground, x, z, 0.12)
         normals = np.insert(-fall, 1, 1.0, axis=1)
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)

@@ -19,9 +19,9 @@ from framelens.gl.texture import Texture
 from landscape.geometry.height_field import greenness
 
 MID = 0.8  # chosen: strength of the detail baked into the large texture
-TURF, SAND, ROCK = 1, 2, 4  # bits of a mixture
-TRACE = 8  # chosen: of 255, a share of a material that does not show
-MARGIN = 2  # chosen: texels around a triangle whose colours are filtered into it
+TURF, SAND, ROCK = MATERIALS = 1, 2, 4  # bits of a mixture; each material has the unit of its bit
+TRACE = 8  # chosen: of 255; less of a material is not looked up
+MARGIN = 2  # chosen: texels beside a triangle that filtering may mix in
 # What a unit interpolates: sand by the alpha of another unit's texture (crossbar), rock by that of
 # the vertices. Turf is never mixed in: it comes first.
 SOURCES: dict[int, tuple[str, ...]] = {
@@ -29,9 +29,6 @@ SOURCES: dict[int, tuple[str, ...]] = {
     SAND: ("PREVIOUS", "TEXTURE", "TEXTURE3"),
     ROCK: ("TEXTURE", "PREVIOUS", "PRIMARY_COLOR"),
 }
-TURF, SAND, ROCK = MATERIALS = 1, 2, 4  # bits of a mixture; each material has the unit of its bit
-TRACE = 8  # chosen: of 255; less of a material is not looked up
-MARGIN = 2  # chosen: texels beside a triangle that filtering may mix in
 
 
 def turf_alpha(large: np.ndarray) -> np.ndarray:
