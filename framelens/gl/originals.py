@@ -10,11 +10,11 @@ from framelens.gl.redirected import redirected
 # Extensions that OpenGL.GL does not offer: their functions and enumerants are found by name, too.
 EXTENSIONS = ("OpenGL.GL.NV.alpha_to_coverage_dither_control",)
 
-patches: list[dict[str, Callable[..., Any]]] = []
+patches: list[dict[str, Callable[..., object]]] = []
 """The functions that foreign.py has replaced, by name: the last replacement last."""
 
 
-def original(name: str) -> Any:
+def original(name: str) -> object:
     """Return OpenGL's own function or enumerant of a name, whatever has taken its place.
 
     What foreign.py replaced by names of GLU, GLUT and GLE is found, too.
@@ -37,7 +37,7 @@ def original(name: str) -> Any:
     raise AttributeError(f"no function {name} in OpenGL, GLU or GLUT")
 
 
-def unwrapped(value: Any) -> Any:
+def unwrapped(value: object) -> Any:
     """Return what a wrapper, or a wrapper of wrappers, stands for."""
     while hasattr(value, "__wrapped__"):
         value = value.__wrapped__

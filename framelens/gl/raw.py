@@ -23,7 +23,7 @@ class Raw:
     Arguments are Python numbers for numbers, and ctypes arrays, addresses or None for pointers.
     """
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         if not name.startswith("gl"):
             raise AttributeError(name)
         from OpenGL.platform import PLATFORM
@@ -40,7 +40,7 @@ class Raw:
         return function
 
 
-def _plain(kind: Any) -> Any:
+def _plain(kind: Any) -> object:
     """Return the C type of a declared one: itself for numbers and None, else an address.
 
     How an array is declared differs between the versions of PyOpenGL, and between PyOpenGL with

@@ -54,7 +54,7 @@ def redirected(name: str, function: Function) -> Function:
 
 
 def _binding(function: Function) -> Function:
-    def bind(target: int, framebuffer: int) -> Any:
+    def bind(target: int, framebuffer: int) -> object:
         now = redirection.substitute
         return function(target, framebuffer or (now.name if now else 0))
 
@@ -62,7 +62,7 @@ def _binding(function: Function) -> Function:
 
 
 def _choosing(function: Function, buffer: int) -> Function:
-    def choose(mode: int) -> Any:
+    def choose(mode: int) -> object:
         now = redirection.substitute
         return function(now.choose(buffer, int(mode)) if now else mode)
 
@@ -70,7 +70,7 @@ def _choosing(function: Function, buffer: int) -> Function:
 
 
 def _answering(function: Function) -> Function:
-    def ask(pname: int, *params: Any) -> Any:
+    def ask(pname: int, *params: Any) -> object:
         result = function(pname, *params)
         now = redirection.substitute
         if now is None or int(pname) not in ASKED:

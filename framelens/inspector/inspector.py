@@ -301,7 +301,7 @@ class Inspector:
 
     # Changes.
 
-    def change(self, cell: Cell, value: Any, together: bool = False) -> None:
+    def change(self, cell: Cell, value: object, together: bool = False) -> None:
         """Give a cell of the chosen call a value; ``together`` with the change before, for undo."""
         found = self.found
         if found is None or value is None:

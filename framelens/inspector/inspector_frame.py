@@ -40,7 +40,7 @@ ARMS = 40  # chosen: arms of the cross-hair that fill the window's height
 MARGIN = 48  # chosen: margins of the panel that fill the window's height
 
 
-def leaks(edits: Sequence[Edit], usual: Mapping[str, Any] | None) -> bool:
+def leaks(edits: Sequence[Edit], usual: Mapping[str, object] | None) -> bool:
     """Whether a frame with the edits, just drawn, has left other state behind than is ``usual``.
 
     What follows the walker's eye does not count, and a number is set by the same call again.
@@ -66,8 +66,8 @@ class Inspection:
         self._edits = Edits(given)
         self.stale = False  # whether the scene was built with other edits than are in force
         self._rewinds = rewinds
-        self._first: dict[str, Any] | None = None  # the state in which the first frame began
-        self._usual: dict[str, Any] | None = None  # what frames without edits leave behind
+        self._first: dict[str, object] | None = None  # the state in which the first frame began
+        self._usual: dict[str, object] | None = None  # what frames without edits leave behind
         self._leaks = bool(given)  # whether frames with the edits leave state behind
         self._tape: Tape | None = None
         self._listed: Hashable = None  # what the frame listed was drawn from
@@ -283,7 +283,7 @@ class Inspection:
             return None
         size = self._size
 
-        def make() -> Any:
+        def make() -> object:
             self.shown = picture(self.model, size, dpi, self._language, self.letters)
             return self.shown.image
 

@@ -117,7 +117,7 @@ def _element(model: Inspector, names: str, language: str) -> str:
     return ", ".join(element(language, name) for name in names.split(", "))
 
 
-def code(name: str, args: Sequence[Any], style: str = "") -> list[Span]:
+def code(name: str, args: Sequence[object], style: str = "") -> list[Span]:
     """Return a call as code, in the colours of its kinds of values."""
     spans = [Span(name, style or "name"), Span("(", style or "dim")]
     for index in range(len(args)):
@@ -127,7 +127,7 @@ def code(name: str, args: Sequence[Any], style: str = "") -> list[Span]:
     return [*spans, Span(")", style or "dim")]
 
 
-def _style(name: str, index: int, args: Sequence[Any]) -> str:
+def _style(name: str, index: int, args: Sequence[object]) -> str:
     kind = spec.kind_of(name, index, args)
     if kind in ENUM_KINDS:
         return "enum"
@@ -314,7 +314,7 @@ def _numbers(values: Sequence[float]) -> str:
     return " ".join(f"{value:.3g}" for value in values)
 
 
-def _plain(value: Any) -> str:
+def _plain(value: object) -> str:
     """Return a variable's value in a few characters."""
     if isinstance(value, list):
         return f"({', '.join(map(_plain, value[:4]))}{', …' if len(value) > 4 else ''})"

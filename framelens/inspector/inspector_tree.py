@@ -15,7 +15,7 @@ from typing import Any
 from framelens.gl.seam import Call, Listing
 from framelens.tape.edits import Located, located
 
-Identity = tuple[Any, ...]
+Identity = tuple[object, ...]
 
 
 @dataclass
@@ -62,7 +62,7 @@ class Node:
         return self.inner
 
 
-def _to(items: Sequence[Any]) -> range:
+def _to(items: Sequence[object]) -> range:
     return range(len(items))
 
 

@@ -65,12 +65,12 @@ def step_of(size: float) -> float:
     return float(max(m * power for m in (1, 2, 5) if m * power <= target * (1 + 1e-9)))
 
 
-def own(call: Call) -> tuple[Any, ...]:
+def own(call: Call) -> tuple[object, ...]:
     """Return the arguments as the program gave them."""
     return call.args if call.given is None else call.given
 
 
-def current(call: Call, edits: Iterable[Edit]) -> tuple[Any, ...]:
+def current(call: Call, edits: Iterable[Edit]) -> tuple[object, ...]:
     """Return the arguments with edits of this call."""
     args = list(own(call))
     for edit in edits:
@@ -85,7 +85,7 @@ def cells(call: Call, edits: Sequence[Edit] = ()) -> list[Cell]:
     return [cell for index in range(len(args)) for cell in _of(call.name, index, args, own(call))]
 
 
-def _of(name: str, index: int, args: Sequence[Any], given: Sequence[Any]) -> list[Cell]:
+def _of(name: str, index: int, args: Sequence[Any], given: Sequence[object]) -> list[Cell]:
     found = spec.parameter(name, index, args)
     value = args[index]
     text = spec.written(name, index, args)
@@ -147,7 +147,7 @@ def component_names(kind: str, of: str, count: int) -> tuple[str, ...]:
     return known if len(known) >= count else tuple(str(k) for k in range(count))
 
 
-def _shown(value: Any) -> str:
+def _shown(value: object) -> str:
     return f"{value.item():.7g}" if isinstance(value, np.generic) else str(value)
 
 
@@ -155,7 +155,7 @@ def _mark(mask: Any, bit: str) -> str:
     return "1" if int(mask) & int(spec.value_of(bit)) else "0"
 
 
-def _choices(name: str, index: int, args: Sequence[Any]) -> tuple[str, ...]:
+def _choices(name: str, index: int, args: Sequence[object]) -> tuple[str, ...]:
     """Return the legal enumerants that an edit can have here.
 
     Where another one would need an array of another length, it is not among them.
@@ -170,7 +170,7 @@ def _choices(name: str, index: int, args: Sequence[Any]) -> tuple[str, ...]:
     return tuple(each for each in legal if each.startswith("GL_") or each[0].isdigit())
 
 
-def _count(name: str, index: int, args: Sequence[Any], choice: str, last: int) -> int | None:
+def _count(name: str, index: int, args: Sequence[object], choice: str, last: int) -> int | None:
     """Return how many numbers the last argument has with another enumerant."""
     if index == last:
         return None if (found := spec.parameter(name, last, args)) is None else found.count
@@ -178,7 +178,7 @@ def _count(name: str, index: int, args: Sequence[Any], choice: str, last: int) -
     return other.count if other else None
 
 
-def stepped(cell: Cell, way: int, fine: bool, usual: Any = None) -> Any:
+def stepped(cell: Cell, way: int, fine: bool, usual: object = None) -> object:
     """Return the value of an edit one step up (``way`` 1) or down (-1); Shift makes it ``fine``.
 
     A number goes to the next multiple of a step that suits it and ``usual``, the program's own.
@@ -200,7 +200,7 @@ def stepped(cell: Cell, way: int, fine: bool, usual: Any = None) -> Any:
     return within(cell, float(f"{to * step:.10g}"))
 
 
-def dragged(cell: Cell, pixels: float, fine: bool = False) -> Any:
+def dragged(cell: Cell, pixels: float, fine: bool = False) -> object:
     """Return the value after the mouse has moved so far to the right, from the value of ``cell``.
 
     A number grows by a factor and shrinks in even steps, through zero and beyond.
@@ -217,23 +217,23 @@ def dragged(cell: Cell, pixels: float, fine: bool = False) -> Any:
     return within(cell, float(f"{value:.{DIGITS}g}"))
 
 
-def within(cell: Cell, value: float) -> Any:
+def within(cell: Cell, value: float) -> object:
     """Return a number within the limits of a cell, whole if it must be."""
     value = min(max(value, cell.low), cell.high)
     return int(round(value)) if cell.whole else float(value)
 
 
-def chosen(cell: Cell, name: str) -> Any:
+def chosen(cell: Cell, name: str) -> object:
     """Return the value of an edit that chooses an enumerant by name."""
     return _enumerant(name)
 
 
-def _enumerant(name: str) -> Any:
+def _enumerant(name: str) -> object:
     """Return an enumerant as an edit has it: by name, or a number where OpenGL wants one."""
     return spec.value_of(name) if name[0].isdigit() else name
 
 
-def edit_of(found: Located, cell: Cell, value: Any) -> Edit:
+def edit_of(found: Located, cell: Cell, value: object) -> Edit:
     """Return the edit that gives a cell a value."""
     if cell.kind == "bit":
         args = list(own(found.call))

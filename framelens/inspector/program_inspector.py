@@ -92,7 +92,7 @@ class ProgramInspector(ExitStack):
         self._language = language
         self._requests = Requests(system_name)
         self._glfw: Any = None
-        self._window: Any = None
+        self._window: object = None
         self._keys: Mapping[int, str] = {}
         self._coming: list[Event] = []
 
@@ -111,7 +111,7 @@ class ProgramInspector(ExitStack):
 
     # As framelens/program/program_run.py sees it.
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def make(self, name: str, function: Callable[..., object]) -> Callable[..., object]:
         """Return what notes the calls of an OpenGL function."""
         return outermost(name, function, spec.draws(name))
 
@@ -286,7 +286,7 @@ class ProgramInspector(ExitStack):
 
     # The window.
 
-    def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
+    def attach(self, glfw: Any, window: object, keys: Mapping[int, str]) -> None:
         """Listen to the window."""
         self._glfw = glfw
         self._window = window
@@ -377,7 +377,7 @@ class ProgramInspector(ExitStack):
             self._coming.append(Event(0, "scroll", value=(x, y)))
 
 
-def _with(now: Mapping[str, Any], changes: Mapping[str, list[Any]]) -> dict[str, Any]:
+def _with(now: Mapping[str, object], changes: Mapping[str, list[object]]) -> dict[str, object]:
     """Return a state in which the variables with the former values have the new ones."""
     new = {name: after for name, (before, after) in changes.items() if now.get(name) == before}
     return {**now, **new}

@@ -19,7 +19,6 @@ import stat
 import zlib
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -107,7 +106,7 @@ def code_below(folder: Path) -> bytes:
     return digest.digest()
 
 
-def code_outside(make: Callable[..., Any]) -> bytes | None:
+def code_outside(make: Callable[..., object]) -> bytes | None:
     """Return a hash of the file that defines ``make``; nothing if it belongs to this package.
 
     None where the code cannot be read, for example if it was typed into an interpreter.

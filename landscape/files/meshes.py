@@ -226,7 +226,7 @@ def _columns(body: memoryview, at: int, element: _Element) -> tuple[dict[str, An
     if element.rows == 0:
         return {name: np.empty((0,)) for name, _, _ in element.properties}, at
     # In most files all rows have the length of the first one.
-    fields: list[Any] = []
+    fields: list[object] = []
     end = at
     for name, kind, counter in element.properties:
         shape: tuple[int, ...] = ()

@@ -64,7 +64,7 @@ def read(path: str, most_vertices: int, most_triangles: int) -> tuple[np.ndarray
         logging.disable()
         warnings.simplefilter("ignore")
         # Materials would open other files.
-        options: dict[str, Any] = (
+        options: dict[str, object] = (
             {"skip_materials": True} if path.lower().endswith((".obj", ".glb")) else {}
         )
         mesh: Any = trimesh.load(path, force="mesh", process=False, **options)

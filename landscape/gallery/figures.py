@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -68,7 +67,7 @@ def gallery(names: list[str]) -> Gallery:
     return Gallery("", "png", named_panels(names), page.page)
 
 
-def make(names: list[str], out: Path, options: Mapping[str, Any], quiet: bool) -> list[Path]:
+def make(names: list[str], out: Path, options: Mapping[str, object], quiet: bool) -> list[Path]:
     """Draw panels into a folder; return the files."""
     check_output_folder(out)
     paths = []
@@ -78,7 +77,7 @@ def make(names: list[str], out: Path, options: Mapping[str, Any], quiet: bool) -
     return paths
 
 
-def update(names: list[str], folder: Path, options: Mapping[str, Any], quiet: bool) -> None:
+def update(names: list[str], folder: Path, options: Mapping[str, object], quiet: bool) -> None:
     """Rewrite the committed pictures that differ, the renderer's name, and the pages."""
     wanted = gallery(names)
     folder, renderer = folder / wanted.folder, ""
@@ -124,7 +123,7 @@ def as_webp(picture: np.ndarray, quality: int) -> bytes:
 
 
 def check(
-    names: list[str], folder: Path, out: Path, options: Mapping[str, Any], quiet: bool
+    names: list[str], folder: Path, out: Path, options: Mapping[str, object], quiet: bool
 ) -> int:
     """Compare new panels with the committed ones; return 1 if any differs.
 
@@ -155,7 +154,7 @@ def check(
 
 
 def drawn(
-    wanted: list[FigurePanel], options: Mapping[str, Any], quiet: bool
+    wanted: list[FigurePanel], options: Mapping[str, object], quiet: bool
 ) -> Iterator[tuple[FigurePanel, np.ndarray, str]]:
     """Yield each panel, its picture and the OpenGL in use, with progress on a terminal."""
     renderer = PanelRenderer(options)

@@ -57,12 +57,12 @@ class PanelRenderer:
         self._options = dict(options)
         self.assets = Assets(Path(options["assets"]) if options.get("assets") else None)
         self._offscreen: Offscreen | None = None
-        self._opened_for: tuple[Any, ...] = ()
+        self._opened_for: tuple[object, ...] = ()
 
     def render(
         self,
         view: Any,
-        settings: Mapping[str, Any],
+        settings: Mapping[str, object],
         kt: float | None = None,
         only: tuple[str, ...] = ELEMENTS,
     ) -> np.ndarray:
@@ -85,7 +85,7 @@ class PanelRenderer:
         self,
         place: str,
         view: Any,
-        settings: Mapping[str, Any],
+        settings: Mapping[str, object],
         kt: float | None,
         size: tuple[int, int],
         only: tuple[str, ...] | None = None,
@@ -183,7 +183,7 @@ def fix_panel(fix: Fix, after: bool) -> FigurePanel:
     return FigurePanel(name, title, seen, fix.look, shlex.join(command), draw)
 
 
-def as_text(value: Any) -> str:
+def as_text(value: object) -> str:
     """Return a setting's value as `--set` takes it."""
     if isinstance(value, (tuple, list)):
         return ",".join(f"{v:g}" for v in value)

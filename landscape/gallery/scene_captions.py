@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 QUALITY = {"hall": 84, "voxel": 60}  # chosen: of a scene's pictures as WebP
 
@@ -19,7 +18,7 @@ class Step:
     title: str
     seen: str
     look: str
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, object] = field(default_factory=dict)
     only: tuple[str, ...] = ()
 
 

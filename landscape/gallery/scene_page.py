@@ -51,7 +51,7 @@ def _step_panel(kind: Scene, step: Step) -> FigurePanel:
 
 
 def _fix_panel(kind: Scene, fix: Any, after: bool) -> FigurePanel:
-    settings: Mapping[str, Any] = fix.settings(after)
+    settings: Mapping[str, object] = fix.settings(after)
     pose = fix.pose(after)
     only = fix.as_view().shown
     numbers = (pose.x, pose.y, pose.z, pose.yaw, pose.pitch)
