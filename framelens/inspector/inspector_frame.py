@@ -205,7 +205,8 @@ class Inspection:
             seen = watch(recorder, self._numbers_shown())
             draw()
         self._tape = Tape(recorder.calls, 0, begins, size)
-        self._listed, self._recorded, self._read = shows, time.monotonic(), False
+        self._listed, self._recorded = shows, time.monotonic()
+        self._read = False
         self.model.show(recorder.calls, seen)
 
     def _numbers_shown(self) -> set[int]:

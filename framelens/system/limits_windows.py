@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 from functools import cache
+from typing import Any
 
 assert sys.platform == "win32"
 
@@ -19,7 +20,7 @@ KILLED = "out of memory"  # what ends a process where the system runs out of mem
 KNOWS_THREAD_TIME = False  # whether thread_time() knows more than that
 GAVE_UP: str | None = None  # abort() ends a process as some crashes do
 # For Popen: Ctrl-C does not reach the process.
-OWN_GROUP: dict[str, object] = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
+OWN_GROUP: dict[str, Any] = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
 # Exit statuses of processes that did not end by themselves; most are NTSTATUS values.
 CRASHES = {
     3: "abort",

@@ -131,7 +131,8 @@ def _point(arrays: Sequence[tuple[str, tuple[object, ...]]]) -> None:
 
 
 def _of_elements(call: Call) -> Primitives:
-    mode, count, kind, indices = call.args[0], *call.args[-3:]
+    mode = call.args[0]
+    count, kind, indices = call.args[-3:]
     types = {
         int(gl.GL_UNSIGNED_BYTE): np.uint8,
         int(gl.GL_UNSIGNED_SHORT): np.uint16,

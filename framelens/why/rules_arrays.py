@@ -20,6 +20,7 @@ from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import Suspect, written
 from framelens.why.trial import Change
 
+FLOAT = 0x1406  # GL_FLOAT
 POINTERS = {
     "glVertexPointer": "GL_VERTEX_ARRAY",
     "glNormalPointer": "GL_NORMAL_ARRAY",
@@ -137,7 +138,8 @@ def _pointer(
     survey: Survey, draw: Drawn, kind: str, call: Call, buffer: int, buffers: Buffers
 ) -> Iterator[Suspect]:
     """Yield what is wrong with an array, the likeliest mistake alone."""
-    type_, stride, pointer = int(call.args[-3]), int(call.args[-2]), call.args[-1]
+    type_, stride = int(call.args[-3]), int(call.args[-2])
+    pointer = call.args[-1]
     if type_ not in TYPES:
         return
     if buffer and isinstance(pointer, (int, np.integer)) and not isinstance(pointer, bool):
@@ -255,19 +257,21 @@ def _color_range(
     """Suspect an array of colours from 0 to 255 as floats, or from 0 to 1 as bytes."""
     if data is None or data.ndim != 2 or not data.size or data.shape[1] not in (3, 4):
         return
+
     most = float(data[:, :3].max())
     if data.dtype == np.uint8 and wanted == np.uint8 and 0 < most <= 1:
-        cause, better, type_ = "color-range-bytes", data.astype(np.float32), 0x1406
+        cause, better = "color-range-bytes", data.astype(np.float32)
     elif data.dtype.kind == "f" and most >= 16 and np.array_equal(data, np.rint(data)):
-        cause, better, type_ = "color-range", (data / 255.0).astype(np.float32), 0x1406
+        cause, better = "color-range", (data / 255.0).astype(np.float32)
     else:
         return
     if int(draw.state.get("GL_ARRAY_BUFFER_BINDING") or 0):
         return
+
     yield Suspect(
         cause,
         at=call,
-        change=_pointed(draw, call, (data.shape[1], type_, 0, better)),
+        change=_pointed(draw, call, (data.shape[1], FLOAT, 0, better)),
         strength=88,
         state="GL_COLOR_ARRAY_TYPE",
         value=most,
@@ -511,6 +515,7 @@ def array_left(survey: Survey) -> Iterator[Suspect]:
         draw = drawn.get(call.number)
         if draw is None or call.name not in DRAWS or not draw.state["GL_COLOR_ARRAY"]:
             continue
+
         color, vertex = pointed.get("glColorPointer"), pointed.get("glVertexPointer")
         if color is None or vertex is None:
             continue
@@ -527,6 +532,7 @@ def array_left(survey: Survey) -> Iterator[Suspect]:
                 values={"line": call.site.line},
                 draws=[draw],
             )
+
         mine.append(draw)
 
 

@@ -103,10 +103,12 @@ def _invalid(survey: Survey, draw: Drawn, raster: Call, mine: list[Drawn]) -> Su
     modelview = _at(survey, raster, "GL_MODELVIEW_MATRIX", draw)
     projection = _at(survey, raster, "GL_PROJECTION_MATRIX", draw)
     clip = point @ modelview @ projection
+
     width, height = survey.tape.size
     w = clip[3] or 1.0
     x, y = (clip[0] / w + 1) / 2 * width, (clip[1] / w + 1) / 2 * height
     inside = (min(max(x, 2.0), width - 20.0), min(max(y, 2.0), height - 12.0))
+
     return Suspect(
         "raster-invalid",
         at=raster,

@@ -273,6 +273,7 @@ def accumulation(survey: Survey) -> Iterator[Suspect]:
     takes = [call for call in calls if int(call.args[0]) in (ACCUM, LOAD)]
     returns = [call for call in calls if int(call.args[0]) == RETURN]
     nothing = [call for call in takes if float(call.args[1]) == 0.0]
+
     if takes and len(nothing) == len(takes):
         share = 1.0 / len(takes)
         yield Suspect(

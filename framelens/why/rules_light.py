@@ -474,6 +474,7 @@ def _color_elsewhere(mine: Sequence[Drawn]) -> Iterator[Suspect]:
     ]
     if not wrong:
         return
+
     state = wrong[0].state
     face, parameter = state["GL_COLOR_MATERIAL_FACE"], state["GL_COLOR_MATERIAL_PARAMETER"]
     around = [
@@ -487,6 +488,7 @@ def _color_elsewhere(mine: Sequence[Drawn]) -> Iterator[Suspect]:
         )
         for draw in wrong
     ]
+
     yield Suspect(
         "color-material-which",
         at=wrong[0].setter("GL_COLOR_MATERIAL_PARAMETER"),
@@ -511,11 +513,13 @@ def _back_only(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     ]
     if not wrong:
         return
+
     actions: dict[str, list[Action]] = {}
     for draw in wrong:
         setter = draw.setter("GL_BACK.GL_DIFFUSE")
         assert setter is not None
         actions[draw.place] = [(setter.name, (gl.GL_FRONT_AND_BACK, *setter.args[1:]))]
+
     yield Suspect(
         "material-face",
         at=wrong[0].setter("GL_BACK.GL_DIFFUSE"),

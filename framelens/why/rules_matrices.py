@@ -186,6 +186,7 @@ def _transposed(survey: Survey) -> Iterator[Suspect]:
             continue
         if at_of(survey, call) is not call:
             continue
+
         flat = np.ravel(np.asarray(call.args[0], np.float64))
         if flat.size != 16 or not np.isfinite(flat).all():
             continue
@@ -339,6 +340,7 @@ def _picking(survey: Survey) -> Iterator[Suspect]:
         region = _matrix_by(survey, note) if note is not None else None
         if note is None or region is None or abs(np.linalg.det(region)) < 1e-12:
             continue
+
         mine = [
             each
             for each in survey.shapes

@@ -99,6 +99,7 @@ def _behind(
         yield suspect
     if tried:
         return
+
     chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
     away = values["nearest"] - 1.5 * max(size, 1.0) - values["near"]
     moved = np.eye(4)
@@ -147,6 +148,7 @@ def _other_plane(
     at = at_of(survey, call)
     projection = list(mine[0].state["GL_PROJECTION_MATRIX"])
     alike = [d for d in survey.shapes if list(d.state["GL_PROJECTION_MATRIX"]) == projection]
+
     return Suspect(
         f"beyond-{plane}",
         at=at or mine[0].call,
@@ -254,6 +256,7 @@ def around_the_eye(survey: Survey) -> Iterator[Suspect]:
         placed = draw.placed
         if placed is None or np.abs(matrix_of(draw, "GL_MODELVIEW")[3, :3]).max() > 1e-6:
             return  # it has been moved, so the camera may well be meant to stand inside it
+
         away = np.eye(4)
         away[3, 2] = -3.0 * float(np.ptp(placed.eye[:, :3], axis=0).max())
         moves = [c for c in survey.calls if c.number < draw.number and c.name.startswith(MATRIX)]

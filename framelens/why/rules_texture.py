@@ -39,7 +39,9 @@ class Upload:
 def uploads(survey: Survey) -> list[Upload]:
     """Return the calls of glTexImage2D that the tape has."""
     found = []
-    bound, alignment, row_length = 0, 4, 0
+    bound = 0
+    alignment = 4
+    row_length = 0
     stored = None
     for call in survey.tape.calls:
         if call.name == "glBindTexture" and int(call.args[0]) == int(gl.GL_TEXTURE_2D):
@@ -93,7 +95,8 @@ def _upload_again(call: Call, texture: int, pixels: Any, channels: int = 0) -> A
 def handed_over(survey: Survey) -> Iterator[Suspect]:
     """Images whose rows OpenGL reads in another way than they lie in memory."""
     for upload in uploads(survey):
-        call, texture, alignment = upload.call, upload.texture, upload.alignment
+        call = upload.call
+        texture, alignment = upload.texture, upload.alignment
         image = image_of(call)
         if image is None:
             continue
