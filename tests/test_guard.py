@@ -3,9 +3,11 @@
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import textwrap
+import time
 from pathlib import Path
 
 import pytest
@@ -237,3 +239,43 @@ def test_work_that_raises_in_a_process_of_its_own_is_told() -> None:
     assert done.status == UNEXPECTED and done.out == ""
     assert done.err.startswith("landscape: a defect of this program: KeyError: 'key', in ")
     assert "Traceback" in done.err
+
+
+@pytest.mark.posix_only("Windows ends what a program has started with its group")
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="the system does not tell children")
+def test_what_a_program_has_started_ends_with_it(tmp_path: Path) -> None:
+    place = tmp_path / "children"
+    begin = f"""
+    import subprocess
+    for session in (False, True):
+        child = subprocess.Popen(["sleep", "600"], start_new_session=session)
+        with open({str(place)!r}, "a") as file:
+            print(child.pid, file=file)
+    """
+    path = tmp_path / "program.py"
+    path.write_text(textwrap.dedent(begin) + BEGIN + SHOW)
+    done = python(RUN, "60", "5", "copied", "state", str(path), "--json")
+    assert done.status == 0, done.err
+    for number in place.read_text().split():
+        assert not Path(f"/proc/{number}").exists()
+
+
+@pytest.mark.posix_only("there is no such signal")
+def test_a_signal_to_the_command_alone_interrupts_the_program(tmp_path: Path) -> None:
+    path = tmp_path / "program.py"
+    path.write_text(BEGIN + 'open("begun", "w").close()\nwhile True:\n    pass\n')
+    words = (sys.executable, "-c", RUN, "60", "60", "copied", "trace", str(path))
+    command = subprocess.Popen(
+        words, stderr=subprocess.PIPE, text=True, env=environment(), cwd=tmp_path
+    )
+    while not (tmp_path / "begun").exists() and command.poll() is None:
+        time.sleep(0.01)
+    command.send_signal(signal.SIGINT)
+    _, told = command.communicate(timeout=100)
+    assert (command.returncode, told) == (130, "landscape: interrupted\n")
+
+
+def test_control_characters_of_an_exception_are_shown(tmp_path: Path) -> None:
+    done = run(tmp_path, r'raise ValueError("first\nsecond \x1b[31m\x00")')
+    assert done.status == 2 and "ValueError: first\n" in done.err
+    assert "\x1b" not in done.err and "\x00" not in done.err and r"second \x1b[31m\x00" in done.err

@@ -83,7 +83,7 @@ def test_a_program_has_the_same_report_in_a_python_of_its_own(
 @pytest.mark.parametrize(
     ("code", "word", "grace"),
     [
-        (OPEN + "while True:\n    pass\n", "no_frame", 100.0),
+        (OPEN + "while True:\n    pass\n", "no_frame", 300.0),
         (OPEN + "sum(range(10**13))\n", "late", sandbox.GRACE),
     ],
 )
@@ -95,6 +95,7 @@ def test_a_loop_is_ended_in_a_python_of_its_own(
     started: None,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    # The program's own second is one of the processor, which may take long on a busy machine.
     monkeypatch.setattr(sandbox, "GRACE", grace)
     path = tmp_path / "mine.py"
     path.write_text(HEAD + code)

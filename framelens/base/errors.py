@@ -119,8 +119,8 @@ def say_unexpected(error: BaseException) -> int:
         what, details = located(error), "".join(traceback.format_exception(error))
         if isinstance(error, UnexpectedError):
             what, details = str(error), error.details or details
-        print(f"{speaker()}: a defect of this program: {what}", file=sys.stderr)
-        print(details, end="", file=sys.stderr, flush=True)
+        print(f"{speaker()}: a defect of this program: {visible(what)}", file=sys.stderr)
+        print(visible(details), end="", file=sys.stderr, flush=True)
     return UNEXPECTED
 
 
@@ -142,6 +142,15 @@ def raised_at(trace: str) -> str:
 
 _REPR = reprlib.Repr()
 _REPR.maxstring = _REPR.maxlong = _REPR.maxother = 60  # characters, chosen
+
+
+# What a terminal takes as commands, and what turns the direction of a text.
+UNSEEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+
+
+def visible(text: str) -> str:
+    """Return a text in which control characters, but for tab and newline, are seen: \\x1b."""
+    return UNSEEN.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def short(value: object) -> str:

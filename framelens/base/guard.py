@@ -6,6 +6,7 @@ The process is a copy of the command's where that is possible; elsewhere the com
 once more, and passes on what it says.
 """
 
+import contextlib
 import mmap
 import os
 import signal
@@ -27,6 +28,7 @@ MEMORY = 1 << 30  # chosen: bytes that a program may take
 MEMORY_ON_SCREEN = 4 << 30
 RESERVE = 1 << 20  # chosen: bytes
 PAUSE = 0.01  # chosen: seconds between two looks at the process
+SOON = 0.3  # chosen: seconds in which a process ends that Ctrl-C has reached, too
 SHORT_ARRAY = "where an array is shorter than it was told"  # how OpenGL crashes
 # Tells a command that it was started as the program's own process: the parent's number, and the
 # file of _shared.
@@ -57,10 +59,15 @@ def guarded(path: str, work: Callable[[], int]) -> int:
     if sys.platform != "win32" and limits.FORKS:
         from framelens.system.copying import copy
 
+        own = limits.children()
+        limits.adopt_orphans()
         child = copy()
         if child is None:
             _work_alone(work)
-        return _await(child, path)
+        try:
+            return _await(child, path)
+        finally:
+            limits.end_orphans(own)  # what the program has started
     with _started() as process:
         return _await(process, path)
 
@@ -188,13 +195,19 @@ class _Child(Protocol):
 def _await(child: _Child, path: str) -> int:
     """Return the exit status of the process."""
     # Ctrl-C reaches both, and the process says so; if nothing can interrupt it, it is ended.
-    before = signal.signal(signal.SIGINT, lambda *_: _end_soon())
+    asked: list[float] = []  # when it came
+
+    def interrupted(*_: object) -> None:
+        asked.append(_now())
+        _end_soon()
+
+    before = signal.signal(signal.SIGINT, interrupted)
     try:
-        status, late = _watch(child)
+        status, late = _watch(child, asked)
     except SystemExit:  # we are to end
         child.terminate()
         _end_soon()
-        _watch(child)
+        _watch(child, asked)
         raise
     finally:
         signal.signal(signal.SIGINT, before)
@@ -224,17 +237,30 @@ def _await(child: _Child, path: str) -> int:
     )
 
 
+def _pass_on(child: _Child) -> None:
+    """Interrupt the process, too: `kill -INT` sends the signal to one process alone, this one."""
+    if sys.platform != "win32":
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(child.pid, signal.SIGINT)
+
+
 def _end_soon() -> None:
     _share(_now() + GRACE)
 
 
-def _watch(child: _Child) -> tuple[int, bool]:
-    """Return how the process ended, as its ``poll`` does, and whether it was too late."""
+def _watch(child: _Child, asked: list[float]) -> tuple[int, bool]:
+    """Return how the process ended, as its ``poll`` does, and whether it was too late.
+
+    ``asked``: when Ctrl-C came. It is passed on if the process goes on after that.
+    """
     late = False
     while True:
         status = child.poll()
         if status is not None:
             return status, late
+        if asked and _now() > asked[0] + SOON:
+            asked.clear()
+            _pass_on(child)
         deadline, spent, last, _ = SHARED.unpack(_shared[:])
         due = deadline and _now() > deadline and not late
         if due and (_now() > last or limits.thread_time(child.pid) > spent):

@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from framelens.base.errors import InputError, NoOpenGLError, say_unexpected
+from framelens.base.errors import InputError, NoOpenGLError, say_unexpected, visible
 from framelens.base.guard import guarded
 from framelens.base.packages import speaker
 from framelens.base.starting import INTERRUPTED
@@ -91,7 +91,7 @@ def notify(options: argparse.Namespace, lines: Sequence[str]) -> None:
     told: set[str] = vars(options).setdefault("told", set())
     for line in dict.fromkeys(lines):
         if line not in told and not options.quiet and sys.stderr is not None:
-            print(f"{speaker()}: {line}", file=sys.stderr)
+            print(f"{speaker()}: {visible(line)}", file=sys.stderr)
         told.add(line)
 
 
@@ -130,8 +130,9 @@ def reported(work: Callable[[], int], ending: Ending) -> int:
 
 def _fail(reason: object, status: int, details: str = "") -> int:
     if sys.stderr is not None:
-        print(f"{speaker()}:", " ".join(str(reason).splitlines()), file=sys.stderr)
-        print(end=details, file=sys.stderr)
+        # A program's own exception may say anything.
+        print(f"{speaker()}:", visible(" ".join(str(reason).splitlines())), file=sys.stderr)
+        print(end=visible(details), file=sys.stderr)
     return status
 
 

@@ -9,6 +9,7 @@ import signal
 import sys
 import threading
 import time
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,10 @@ OWN_GROUP: dict[str, Any] = {
 }  # for Popen: Ctrl-C does not reach the process
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
 NAMESPACES = (0x40000000, 0x50000000)  # CLONE_NEWNET; for users other than root with CLONE_NEWUSER
+ADOPT = 36  # PR_SET_CHILD_SUBREAPER
+MOST_FILES = 1 << 20  # the highest number of an open file, as systems have it
+MOST_ROUNDS = 100  # chosen: of ending orphans, whose own children then are orphans
+LIBRARIES = 512 << 20  # chosen: bytes of addresses
 PAUSE = 0.5  # seconds between two looks for the parent, chosen
 
 
@@ -41,6 +46,16 @@ def limit_memory(most: int | None) -> None:
     """Limit the bytes that ``used`` counts; None: no limit. Only Linux does so."""
     if KEEPS_MEMORY:
         _limit(resource.RLIMIT_DATA, most)
+
+
+def limit_addresses(more: int) -> None:
+    """Limit the addresses that the process may take, memory that is shared included.
+
+    There may be ``more`` bytes than now, and some for libraries. Only Linux does so.
+    """
+    if KEEPS_MEMORY:
+        pages = int(Path("/proc/self/statm").read_text().split()[0])
+        _limit(resource.RLIMIT_AS, pages * resource.getpagesize() + more + LIBRARIES)
 
 
 def _limit(kind: int, most: int | None) -> None:
@@ -94,6 +109,55 @@ def end_group(process: int) -> None:
     """End a process that was started with OWN_GROUP, and its own children."""
     with contextlib.suppress(ProcessLookupError):
         os.killpg(process, signal.SIGKILL)
+
+
+def adopt_orphans() -> None:
+    """Let processes whose parent ends, among those that come from this one, become its children.
+
+    Only Linux does so.
+    """
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(ADOPT, 1, 0, 0, 0)
+
+
+def children() -> set[int]:
+    """Return the numbers of this process's children; none where the system does not tell."""
+    found = set()
+    for folder in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError, ValueError):
+            # The name, in parentheses, may hold anything.
+            parent = (folder / "stat").read_text(errors="replace").rpartition(")")[2].split()[1]
+            if int(parent) == os.getpid():
+                found.add(int(folder.name))
+    return found
+
+
+def end_orphans(own: Collection[int]) -> None:
+    """End all children of this process but its ``own``, and then theirs, which become its children.
+
+    It adopts orphans: so what remains of a program goes, whatever session it has moved to.
+    """
+    if sys.platform != "linux":
+        return
+    for _ in range(MOST_ROUNDS):
+        orphans = children().difference(own)
+        if not orphans:
+            return
+        for orphan in orphans:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(orphan, signal.SIGKILL)
+        for orphan in orphans:
+            with contextlib.suppress(ChildProcessError):
+                os.waitpid(orphan, 0)
+
+
+def close_all_but(*files: int) -> None:
+    """Close all open files but standard input, output and error, and those."""
+    first = 3
+    for file in sorted(files):
+        os.closerange(first, file)
+        first = file + 1
+    os.closerange(first, MOST_FILES)
 
 
 def crash(status: int) -> str:

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import threading
+from collections.abc import Collection
 from functools import cache
 from typing import Any
 
@@ -166,3 +167,24 @@ def crash(status: int) -> str:
 
 def leave_network() -> None:
     """Do nothing: a process of Windows cannot leave the network by itself."""
+
+
+def limit_addresses(more: int) -> None:
+    """Do nothing: there is no such limit here."""
+
+
+def adopt_orphans() -> None:
+    """Do nothing: a process of Windows has no children that it could be given."""
+
+
+def children() -> set[int]:
+    """Return no children: Windows ends those of a program with its group."""
+    return set()
+
+
+def end_orphans(own: Collection[int]) -> None:
+    """Do nothing: Windows ends what a program has started with its group."""
+
+
+def close_all_but(*files: int) -> None:
+    """Do nothing: a process of Windows is given only files that it is to have."""

@@ -4,24 +4,22 @@ import argparse
 import os
 import shutil
 import textwrap
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from framelens.base.errors import InputError, NoOpenGLError
+from framelens.base.errors import InputError, visible
 from framelens.base.output import check_writable, save_png
 from framelens.base.texts import Translator, choose
 from framelens.commands.option_values import refusal
 from framelens.commands.parser import language_option
-from framelens.program.program_frame import ProgramFrame
-from framelens.report.why_report import find
 from framelens.system import quoted
 from landscape.commands import exercise_class
 from landscape.commands.exercise_list import json_text
 from landscape.course.exercise import Exercise, Grader, Report
 from landscape.course.grader.budget import MOST_SECONDS, SECONDS
+from landscape.course.grader.confinement import AUTO, CHOICES, LANDLOCK, PYTHON
 from landscape.course.grader.grading import MOST, _
 from landscape.course.grader.troubles import sentence
 
@@ -30,6 +28,10 @@ WIDTHS = 72, 100  # chosen: least and most columns of a report
 SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
 WHY = _("The picture is all of one colour: line {line}. {text} Mend: {mend}.")
 OTHERWISE = _("Your program does this in another way; its picture is right.")
+CONTAINED = {
+    LANDLOCK: _("The system contained the program: by Landlock and a filter of its calls."),
+    PYTHON: _("Only Python contained the program."),
+}
 WRITTEN = _("{file}: your picture, where it differs, and the solution's")
 
 
@@ -59,6 +61,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=SECONDS,
         metavar="N",
         help=_("how long the program may take; default: %(default)g"),
+    )
+    parser.add_argument(
+        "--contain",
+        choices=CHOICES,
+        help=_(
+            "whether the system contains the program: where it can, in any case, or not at all, "
+            "so that only Python does; default: auto"
+        ),
     )
     language_option(parser, "language of the texts")
     exercise_class.add_arguments(parser)
@@ -90,8 +100,9 @@ def run(options: argparse.Namespace) -> int:
                 "--heat-map {heat_map}: expected a name ending in .png", heat_map=options.heat_map
             )
         check_writable(options.heat_map, "--heat-map ")
-    with Grader(options.seconds) as grader:
+    with Grader(options.seconds, options.contain or AUTO) as grader:
         report = grader.check(file)
+        cause = first_cause(report, grader, language)
 
     _ = report.exercise.translate.to(language)
     if options.heat_map is not None and report.work is not None and report.solution is not None:
@@ -99,15 +110,17 @@ def run(options: argparse.Namespace) -> int:
 
         save_png(heat_map(report.work, report.solution), options.heat_map)
     if options.json:
-        print(json_text(as_json(report, _) | {"cause": first_cause(report, language)}))
+        print(json_text(as_json(report, _) | {"cause": cause}))
     elif report.error is None and not options.quiet:
         columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
         columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
-        print("\n".join(as_text(report, _, columns)))
-        if (cause := first_cause(report, language)) is not None:
+        print(visible("\n".join(as_text(report, _, columns))))
+        if cause is not None:
             line = cause["source"].rpartition(":")[2]
             told = _(WHY).format(line=line, text=cause["text"], mend=cause["mend"])
-            print("\n".join(textwrap.wrap(told, columns, break_on_hyphens=False)))
+            print(visible("\n".join(textwrap.wrap(told, columns, break_on_hyphens=False))))
+        if options.contain:
+            print(_(CONTAINED[report.contained]))
         if options.heat_map is not None:
             print(_(WRITTEN).format(file=options.heat_map))
         elif (report.difference or 0) > MOST:
@@ -117,7 +130,7 @@ def run(options: argparse.Namespace) -> int:
     return 0 if report.passed else 1
 
 
-def first_cause(report: Report, language: str) -> dict[str, Any] | None:
+def first_cause(report: Report, grader: Grader, language: str) -> dict[str, Any] | None:
     """Return why the picture of a program that has not passed is all of one colour.
 
     It is a cause as `landscape why --json` prints it; None where the picture has more colours, as
@@ -128,20 +141,12 @@ def first_cause(report: Report, language: str) -> dict[str, Any] | None:
     work, solution = report.work.frames, report.solution.frames
     for number in sorted(work):
         if _plain(work[number].picture) and not _plain(solution[number].picture):
-            return _cause(str(report.work.path), number, language)
+            return grader.cause(report.work.path, number, language)
     return None
 
 
 def _plain(picture: np.ndarray) -> bool:
     return not (picture != picture[:1, :1]).any()
-
-
-def _cause(path: str, frame: int, language: str) -> dict[str, Any] | None:
-    with suppress(InputError, NoOpenGLError):
-        found = find(ProgramFrame(path, frame=frame), language=language)
-        for cause in found.causes[:1]:
-            return cause.as_json(language)
-    return None
 
 
 def as_json(report: Report, _: Translator) -> dict[str, Any]:
@@ -169,6 +174,7 @@ def as_json(report: Report, _: Translator) -> dict[str, Any]:
         "passed": report.passed,
         "tests": tests,
         "picture_difference": report.difference,
+        "contained": report.contained,
     }
     if report.error is not None:
         found["error"] = sentence(report.error, _)

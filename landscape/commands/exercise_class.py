@@ -14,6 +14,7 @@ from framelens.base.progress import Progress
 from framelens.base.texts import Translator, translator
 from framelens.commands.option_values import refusal
 from landscape import __version__
+from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import _
 from landscape.course.roster import moodle, tables
 from landscape.course.roster.grades import Graded, Rules, grade_class
@@ -128,6 +129,7 @@ def run(options: argparse.Namespace, language: str) -> int:
         points=options.points,
         version=__version__,
         again=options.again,
+        contain=options.contain or AUTO,
     )
     with Progress(len(found), options.quiet or options.json) as progress:
         graded = grade_class(found, rules, options.due, progress.step, jobs=options.jobs)

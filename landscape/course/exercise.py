@@ -10,6 +10,7 @@ import re
 import secrets
 import textwrap
 import tokenize
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -22,6 +23,8 @@ from framelens.base.input import read_bounded
 from framelens.base.texts import Translator, translator
 from landscape.course import program_texts
 from landscape.course.grader.budget import SECONDS
+from landscape.course.grader.cause import told
+from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.evidence import Evidence
 from landscape.course.grader.evidence_file import load
 from landscape.course.grader.grading import (
@@ -35,7 +38,7 @@ from landscape.course.grader.grading import (
     same_pictures,
     tests_of,
 )
-from landscape.course.grader.sandbox import LATE, Job, Outcome, Sandbox
+from landscape.course.grader.sandbox import FULL, LATE, Job, Outcome, Sandbox
 from landscape.course.grader.trial import Trial, broken_off, elsewhere, trial
 from landscape.course.grader.troubles import known
 
@@ -127,7 +130,8 @@ class Report:
     """What a check has found; without ``results`` if the program could not be graded.
 
     ``difference`` is the fraction of the pixels that differ, in the frame where most do. ``error``
-    has a word of troubles.py and the values of its sentence.
+    has a word of troubles.py and the values of its sentence. ``contained`` is what contained the
+    program, "landlock" or "python" (confinement.py); "" if it was not run.
     """
 
     exercise: Exercise
@@ -137,6 +141,7 @@ class Report:
     error: Mapping[str, Any] | None = None
     work: Evidence | None = None
     solution: Evidence | None = None
+    contained: str = ""
 
     @property
     def passed(self) -> bool:
@@ -223,13 +228,17 @@ def grading(name: str) -> dict[str, Any]:
 class Grader:
     """Checks programs, in a sandbox of its own; use it in a ``with``.
 
-    ``seconds``: how long a program may take to its last frame. ``seed``: of the trials (trial.py),
-    chosen by chance if it is left out, so that no program can know them.
+    ``seconds``: how long a program may take to its last frame. ``contain``: whether the system is
+    to contain programs, "auto" where it can, "require" in any case, "none" (see sandbox.py).
+    ``seed``: of the trials (trial.py), chosen by chance if it is left out, so that no program can
+    know them.
     """
 
-    def __init__(self, seconds: float = SECONDS, seed: int | None = None) -> None:
+    def __init__(
+        self, seconds: float = SECONDS, contain: str = AUTO, seed: int | None = None
+    ) -> None:
         self._seconds = seconds
-        self._sandbox = Sandbox()
+        self._sandbox = Sandbox(contain)
         self._seed = secrets.randbits(64) if seed is None else seed
         self._solutions: dict[str, Evidence] = {}
         self._elsewhere: dict[str, Evidence] = {}  # of the solutions, in trials
@@ -244,7 +253,7 @@ class Grader:
         """Run a student's program beside the solution, and grade it.
 
         Where its pictures are right, it is run once more, in a trial. InputError if the file cannot
-        be read or is of no exercise; NoOpenGLError.
+        be read, is of no exercise, or cannot be contained though it must be; NoOpenGLError.
         """
         found = named_in(path)
         names = grading(found.name)
@@ -258,7 +267,7 @@ class Grader:
         )
         self._solutions[found.name] = solution
         if not isinstance(work, Evidence):
-            return Report(found, tests, error=work)
+            return Report(found, tests, error=work, contained=self._sandbox.contained)
 
         code = (found.folder / "solution.py").read_text(encoding="utf-8")
         drawn = trial(code, random.Random(f"{self._seed} {found.name}"))
@@ -275,7 +284,8 @@ class Grader:
             results.append(Result(last, None))
 
         most = max(difference(work.frame(n), solution.frame(n)) for n in solution.frames)
-        return Report(found, [*tests, last], results, most, None, work, solution)
+        contained = self._sandbox.contained
+        return Report(found, [*tests, last], results, most, None, work, solution, contained)
 
     def _tried(
         self, path: Path, found: Exercise, drawn: Trial, test: Test
@@ -304,7 +314,10 @@ class Grader:
         """
         model = found.folder / "solution.py"
         paths = [path] if solution is not None else [path, model]
-        jobs = [Job(str(each), frames, events, calls, self._seconds) for each in paths]
+        jobs = [
+            Job(str(each), frames, events, calls, self._seconds, trusted=each == model)
+            for each in paths
+        ]
         outcomes = self._sandbox.run(jobs)
         if solution is None:
             shown = _evidence(model, outcomes[1], frames)
@@ -321,11 +334,22 @@ class Grader:
             work = {"seconds": self._seconds, "megabytes": jobs[0].megabytes, **work}
         return work, solution
 
+    def cause(self, path: Path, frame: int, language: str) -> dict[str, Any] | None:
+        """Return why a frame of a program is as it is, as `landscape why --json`; None: not known.
+
+        The program runs once more, in the sandbox.
+        """
+        job = Job(str(path), [frame], seconds=self._seconds, why=language)
+        (outcome,) = self._sandbox.run([job])
+        return told(outcome.answer[0].get("cause")) if outcome.answer is not None else None
+
 
 def _syntax(path: Path) -> dict[str, Any] | None:
     """Return why a file is not Python; None if it is."""
     try:
-        ast.parse(path.read_bytes())
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of "\d" in a text, for instance
+            ast.parse(path.read_bytes())
     except SyntaxError as error:
         return {"word": "syntax", "line": error.lineno or 1, "error": error.msg}
     except (ValueError, RecursionError, MemoryError):
@@ -335,8 +359,8 @@ def _syntax(path: Path) -> dict[str, Any] | None:
 
 def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence | dict[str, Any]:
     """Return the evidence of a program that has run, or what went wrong."""
-    if outcome.ended == LATE:
-        return {"word": "late"}
+    if outcome.ended in (LATE, FULL):
+        return {"word": outcome.ended}
     if outcome.crashed:
         if outcome.line:
             return {"word": "crashed_at", "signal": outcome.ended, "line": outcome.line}
@@ -346,15 +370,14 @@ def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence |
     if outcome.answer is None:
         return died
     try:
-        if "error" in outcome.answer:
-            error = outcome.answer["error"]
-            return dict(error) if known(error) else died
-        return load(path, outcome.answer, outcome.folder, frames)
+        answer = outcome.answer[0]
+        if "error" in answer:
+            return dict(answer["error"]) if known(answer["error"]) else died
+        return load(path, outcome.answer, frames)
     except (
         ArithmeticError,
         AttributeError,
         LookupError,
-        OSError,
         RecursionError,
         TypeError,
         ValueError,

@@ -1,14 +1,14 @@
-"""How the evidence of a program is written into files, in its process, and read by the grader.
+"""How the evidence of a program is written, in its process, and read by the grader.
 
-A file of JSON says
+It is JSON with blobs beside it (stream.py):
 
-- "frames": number to {"size", "pixels" (a file's name: rows of RGB, top row first), "calls"};
+- "frames": number to {"size", "pixels" (a blob: rows of RGB, top row first), "calls"};
 - "setup": the calls before the first that draws;
 - "sites": what the calls of one line have in common, as [name, line, function, own, count]: "own"
   says whether the line is the program's, not that of a module it imports, "count" is that of the
   arguments;
-- "numbers": {"of", "values"}: the calls that only give numbers, in their order: the index of the
-  site of each, and the name of a file with the arguments of all, doubles;
+- "numbers": {"of", "values"}: the calls that only give numbers, in their order: blobs, the index of
+  the site of each, 32 bits, and the arguments of all, doubles;
 - "lists": the calls of display lists that were executed;
 - "pointers": the pointer calls of vertex arrays that are drawn, each [name, arguments];
 - "states": OpenGL's state at the calls that draw, by the names of framelens/state/state.py; the
@@ -24,7 +24,7 @@ executes; "arrays", an index of "pointers" for each array that a draw call reads
 
 import hashlib
 from array import array
-from collections import Counter
+from collections import ChainMap, Counter
 from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
@@ -37,9 +37,10 @@ from framelens.gl.notes import Brief, plain, shown
 from framelens.spec import spec
 from landscape.course.grader.calls import KINDS, NO_LINE, Call, Item, Numbers, base
 from landscape.course.grader.evidence import Evidence, Frame
+from landscape.course.grader.stream import Answer, Blobs
 
+MOST_CALLS = 4_000_000  # chosen: those of display lists counted each time that they are executed
 LONGEST = 30_000  # chosen: numbers of an array that are kept
-VALUES = "numbers.f64"
 Block = list[Any]
 """The calls of a frame, of the setup or of a display list, as they are written."""
 
@@ -59,9 +60,10 @@ class Writer:
 
     def __init__(self, program: str) -> None:
         self._program = program
+        self.blobs = Blobs()
         self._sites: dict[Any, int] = {}
         self._written_sites: list[Any] = []
-        self._of: list[int] = []
+        self._of = array("i")
         self._values = array("d")
         self._lists: list[Block] = []
         self._of_list: dict[int, tuple[int, Any]] = {}  # its index, and the list: by its identity
@@ -161,12 +163,15 @@ class Writer:
             self._pointers.append([name, _arguments(name, args)])
         return self._of_pointer[key]
 
-    def written(self, folder: Path) -> dict[str, Any]:
-        """Write the numbers into a folder, and return what is not in blocks."""
-        (folder / VALUES).write_bytes(self._values.tobytes())
+    def written(self) -> dict[str, Any]:
+        """Return what is not in blocks."""
+        numbers = {
+            "of": self.blobs.add(self._of.tobytes()),
+            "values": self.blobs.add(self._values.tobytes()),
+        }
         return {
             "sites": self._written_sites,
-            "numbers": {"of": self._of, "values": VALUES},
+            "numbers": numbers,
             "lists": self._lists,
             "pointers": self._pointers,
         }
@@ -207,34 +212,37 @@ def _argument(name: str, index: int, args: tuple[Any, ...]) -> Any:
     return plain(value)
 
 
-def load(path: Path, answer: Mapping[str, Any], folder: Path, wanted: Sequence[int]) -> Evidence:
-    """Return the evidence of a program from what it wrote into a folder.
+def load(path: Path, answer: Answer, wanted: Sequence[int]) -> Evidence:
+    """Return the evidence of a program from what its process sent.
 
     If it is not in that form, or a wanted frame is not there, an error of Python is raised.
     """
-    reader = _Reader(answer, folder)
-    setup = reader.calls(answer["setup"])
+    said, blobs = answer
+    reader = _Reader(said, blobs)
+    setup = reader.calls(said["setup"])
     frames = {}
     for number in wanted:
-        found = answer["frames"][str(number)]
+        found = said["frames"][str(number)]
         width, height = found["size"]
         if min(width, height) < 1:
             raise ValueError(f"a picture of {width} x {height} pixels")
-        pixels = np.fromfile(folder / Path(found["pixels"]).name, np.uint8)
+        pixels = np.frombuffer(blobs[found["pixels"]], np.uint8)
         picture = pixels.reshape(height, width, 3)
         calls = reader.calls(found["calls"])
         frames[number] = Frame(number, picture, setup, calls, reader.numbers)
 
     source = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    early = answer.get("early")
+    early = said.get("early")
     return Evidence(path, source, frames, (str(early[0]), int(early[1])) if early else None)
 
 
 class _Reader:
-    def __init__(self, answer: Mapping[str, Any], folder: Path) -> None:
-        self._states: list[Mapping[str, Any]] = []
-        for each in answer["states"]:
-            self._states.append({**self._states[0], **each} if self._states else each)
+    def __init__(self, answer: Mapping[str, Any], blobs: Sequence[memoryview]) -> None:
+        first, *others = answer["states"] or [{}]
+        self._states: list[Mapping[str, Any]] = [first]
+        # Not merged: a forged first state may be large, and the others many.
+        self._states += [ChainMap(each, first) for each in others]
+        self._count = 0  # of calls so far
         self._lists = answer["lists"]
         self._pointers = answer["pointers"]
         sites = [
@@ -242,8 +250,8 @@ class _Reader:
             for name, number, function, own, count in answer["sites"]
         ]
         self._sites = sites
-        of = np.array(answer["numbers"]["of"], int)
-        values = np.fromfile(folder / Path(answer["numbers"]["values"]).name, float)
+        of = np.frombuffer(blobs[answer["numbers"]["of"]], np.int32)
+        values = np.frombuffer(blobs[answer["numbers"]["values"]], float)
         self.numbers = Numbers(sites, of, values)
         self.numbers.check()
 
@@ -252,6 +260,9 @@ class _Reader:
         first, *rest = block
         found: list[Item] = []
         for each in rest:
+            self._count += each if isinstance(each, int) else 1
+            if self._count > MOST_CALLS:
+                raise ValueError("more calls than a program is allowed")
             if isinstance(each, int):
                 found.append(self.numbers.some(first, each))
                 first += each

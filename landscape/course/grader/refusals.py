@@ -1,29 +1,60 @@
 """What Python refuses a program in the sandbox: other programs, the network, most writing.
 
-It is an audit hook (see sys.addaudithook): Python tells it before it opens a file, and the like. It
-refuses from the moment when the program's own code begins.
+Solutions are not read, either.
+
+It is an audit hook (see sys.addaudithook): Python tells it before it opens a file, and the like. A
+few functions tell it nothing, and are replaced. It refuses from the moment when the program's own
+code begins. Where the system contains the program (confinement.py), this only says sooner what is
+wrong; elsewhere it is all there is, and ctypes gets around it.
 """
 
+import contextlib
 import os
-from collections.abc import Sequence
+import sys
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from pathlib import Path
 from types import CodeType
-from typing import Any
+from typing import Any, NoReturn
 
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
-# Events of Python that name what is changed as their first argument.
+# Events of Python that name what is changed as their first argument: how many paths they name, with
+# how many numbers of open folders they end, from which these paths lead, and whether a path that is
+# a link stands for what it leads to.
 CHANGING = {
-    *("os.remove", "os.rename", "os.mkdir", "os.rmdir", "os.link", "os.symlink", "os.truncate"),
-    *("os.chmod", "os.chown", "os.utime", "shutil.rmtree", "shutil.move", "sqlite3.connect"),
+    **dict.fromkeys(("os.remove", "os.mkdir", "os.rmdir"), (1, 1, False)),
+    **dict.fromkeys(("os.rename", "os.link"), (2, 2, False)),
+    **dict.fromkeys(("os.chmod", "os.chown", "os.utime"), (1, 1, True)),
+    **dict.fromkeys(("os.truncate", "os.setxattr", "os.removexattr"), (1, 0, True)),
+    **dict.fromkeys(("os.chflags", "shutil.chown", "sqlite3.connect"), (1, 0, True)),
+    **{"shutil.rmtree": (1, 0, False), "shutil.move": (2, 0, False)},
 }
 STARTING = {
     *("subprocess.Popen", "os.system", "os.fork", "os.forkpty", "os.posix_spawn", "os.exec"),
-    *("os.spawn", "pty.spawn", "os.killpg"),
+    *("os.spawn", "os.startfile", "os.startfile/2", "pty.spawn", "os.killpg"),
 }
 CONNECTING = {"socket.__new__", "socket.connect", "socket.bind", "socket.getaddrinfo"}
+# Functions that tell nothing: the module, the name, what they would do.
+UNTOLD = (
+    *(("os", name, "write") for name in ("mkfifo", "mknod", "chroot")),
+    *(("readline", name, "write") for name in ("write_history_file", "append_history_file")),
+    *(("os", name, "start") for name in ("pidfd_open", "setpgid", "setsid", "setpriority")),
+    ("signal", "pidfd_send_signal", "start"),
+    ("_posixsubprocess", "fork_exec", "start"),
+)
+NAMES = {
+    "write": "writing files",
+    "start": "starting or ending other programs",
+    "network": "using the network",
+    "read": "reading files of the course",
+}
+
+
+HIDDEN = Path(__file__).resolve().parents[1] / "exercises"
 
 
 class Refusals:
-    """The hook; ``refused`` is the last thing it refused: network, start, write, or ""."""
+    """The hook; ``refused`` is the last thing it refused: a word of NAMES, or ""."""
 
     def __init__(self, path: str, folder: str) -> None:
         self._path, self._folder = path, os.path.realpath(folder) + os.sep
@@ -35,25 +66,78 @@ class Refusals:
         if not self._armed:
             if event == "exec" and isinstance(args[0], CodeType):
                 self._armed = args[0].co_filename == self._path
+                if self._armed:
+                    self._replace_untold()
             return
         if event == "open":
             path, _, flags = args
-            if isinstance(flags, int) and flags & WRITING:
-                self._write(path)
+            if isinstance(flags, int) and flags & WRITING and not isinstance(path, int):
+                self._write(path, opens=True)
+            elif not isinstance(path, int) and self._hides(os.fsdecode(path)):
+                self._refuse("read")
         elif event in CHANGING:
-            self._write(args[0])
+            self._change(args, *CHANGING[event])
+        elif event == "os.symlink":  # what it leads to is not changed
+            self._change(args[1:], 1, 1, False)
         elif event in STARTING or (event == "os.kill" and args[0] != os.getpid()):
-            self._refuse("start", "starting or ending other programs")
+            self._refuse("start")
         elif event in CONNECTING:
-            self._refuse("network", "using the network")
+            self._refuse("network")
 
-    def _write(self, path: Any) -> None:
-        if isinstance(path, int) or path is None:
-            return  # a file that is open already
-        place = os.path.realpath(os.fsdecode(path))
-        if not place.startswith(self._folder) and place != os.devnull:
-            self._refuse("write", "writing files")
+    def _hides(self, path: str) -> bool:
+        """Return whether a file is one of the exercises', other than the program itself."""
+        place = os.path.realpath(path) if HIDDEN.name in path else ""
+        return place.startswith(f"{HIDDEN}{os.sep}") and place != os.path.realpath(self._path)
 
-    def _refuse(self, word: str, what: str) -> None:
+    def _change(self, args: Sequence[Any], paths: int, folders: int, follows: bool) -> None:
+        """Refuse to change what is named, unless it is in the folder."""
+        begins = args[len(args) - folders :] if folders else ()
+        for number, path in enumerate(args[:paths]):
+            self._write(path, begins[number] if begins else -1, follows)
+
+    def _write(self, path: Any, begin: int = -1, follows: bool = True, opens: bool = False) -> None:
+        """Refuse to write a path outside the folder; it may lead from an open folder, ``begin``.
+
+        The folder itself may be opened: so a temporary file is made that has no name.
+        """
+        if path is None:
+            return
+        name = f"/proc/self/fd/{path}" if isinstance(path, int) else os.fsdecode(path)
+        if begin != -1 and not os.path.isabs(name):
+            name = f"/proc/self/fd/{begin}/{name}"
+        parent, last = os.path.split(os.path.abspath(name))
+        place = os.path.realpath(name) if follows else os.path.join(os.path.realpath(parent), last)
+        allowed = place.startswith(self._folder) or place == os.devnull
+        if not allowed and not (opens and place + os.sep == self._folder):
+            self._refuse("write")
+
+    def _refuse(self, word: str) -> NoReturn:
         self.refused = word
-        raise PermissionError(f"{what} is not possible while a program is checked")
+        raise PermissionError(f"{NAMES[word]} is not possible while a program is checked")
+
+    def _replace_untold(self) -> None:
+        """Replace the functions that tell nothing."""
+        system = sys.modules[os.name]  # os has its functions from there
+        for module, name, word in UNTOLD:
+            with contextlib.suppress(ImportError):
+                for owner in (system, os) if module == "os" else (import_module(module),):
+                    if hasattr(owner, name):
+                        setattr(owner, name, self._refusing(word))
+        if os.open in os.supports_dir_fd:
+            os.open = system.open = self._opening(os.open)  # type: ignore[attr-defined]
+
+    def _refusing(self, word: str) -> Callable[..., NoReturn]:
+        def refuse(*_: object, **__: object) -> NoReturn:
+            self._refuse(word)
+
+        return refuse
+
+    def _opening(self, original: Callable[..., int]) -> Callable[..., int]:
+        """Return os.open, which does not tell from which folder a path leads."""
+
+        def opened(path: Any, flags: int, mode: int = 0o777, *, dir_fd: int | None = None) -> int:
+            if flags & WRITING and dir_fd is not None:
+                self._write(path, dir_fd, opens=True)
+            return original(path, flags, mode, dir_fd=dir_fd)
+
+        return opened

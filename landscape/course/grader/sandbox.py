@@ -8,55 +8,64 @@ it is the same (sandboxed.py). What does not end by itself is ended. The limits:
 - seconds of the clock, for the program's own work; and of the processor, for what cannot be
   interrupted;
 - megabytes of memory beyond what Python and OpenGL take; no core file;
-- what the program prints is discarded, however much it is;
-- no network: a network namespace without any device where the system allows one, and in every case
-  Python refuses to open sockets;
-- no files are written outside a temporary folder, and no other programs started: Python refuses.
+- megabytes of files, and of the evidence, which comes through a pipe (stream.py);
+- what the program prints is discarded, however much it is.
 
-They stop mistakes, not attacks: a program that wants to get around Python's refusals, through
-ctypes for instance, can. Whoever grades programs of strangers needs a container around the grader.
+What else it may do is contained by the system where that can (confinement.py): it reads no homes,
+solutions or programs of others, and writes into a folder of its own; it has no network, and starts
+and ends no processes. In any case Python refuses it to (refusals.py), and the network is left where
+the system allows that; but that stops mistakes, not attacks: ctypes gets around it.
+
+Nothing contains what a program does in its own process, in which its evidence is written. A picture
+that it has brought along is told by the trial (trial.py).
 """
 
+import contextlib
 import json
 import os
 import re
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
-from framelens.base.errors import NoOpenGLError, UnexpectedError, raised_at
-from framelens.system import limits
+from framelens.base.errors import InputError, NoOpenGLError, UnexpectedError, raised_at
+from framelens.system import containment, limits
+from landscape.course.grader import confinement
 from landscape.course.grader.budget import MEGABYTES, SECONDS
+from landscape.course.grader.confinement import AUTO, NONE
+from landscape.course.grader.stream import MOST_BYTES, PART, Answer, received
+from landscape.course.grader.workplace import Workplace, overfull
 
 GRACE = 1.5  # seconds, chosen: between asking a program to end and ending it
 START = 120.0  # seconds, chosen: until a process has imported what programs need
 PAUSE = 0.01  # seconds, chosen: between two looks at processes
-FILE_BYTES = 64 << 20  # chosen: the largest file, the evidence included
+LOOK = 0.25  # seconds, chosen: between two looks at the files that a program writes
+FILE_BYTES = 64 << 20  # chosen: the largest file
+CRASH_BYTES = 64 << 10  # chosen: of what faulthandler writes
 # More threads would cost more time to start than they save. Without any, llvmpipe crashes when a
 # window is resized (SIGFPE, in Mesa 22 and in every second process).
 THREADS = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-# The files of a job's folder.
-JOB = "job.json"
-READY = "ready.json"  # written once all is imported; it says why there is no OpenGL, or ""
-ANSWER = "evidence.json"
-CRASH = "crash.txt"  # what faulthandler wrote
-TROUBLE = "trouble.txt"  # a traceback of ours: what nobody has foreseen
-ERRORS = "errors.txt"  # the standard error of our process, to where the program begins
 # How a program ended.
 LATE = "late"
+FULL = "full"  # it wrote more than it may
 STATUS = "status "
+# Why the system contains no programs.
+NO_SYSTEM, NEEDS_SCREEN, NOT_OPENED = "no system", "needs a screen", "not opened"
 
 
 @dataclass(frozen=True)
 class Job:
     """A program to run: which frames to look at, after which events (program_events.py).
 
-    Without ``calls`` only the pictures of the frames are taken.
+    Without ``calls`` only the pictures of the frames are taken. One that is ``trusted`` is the
+    course's own. With a language, the cause is asked for why its last frame looks as it does
+    (framelens/why), instead of evidence.
     """
 
     path: str
@@ -65,33 +74,31 @@ class Job:
     calls: bool = True
     seconds: float = SECONDS
     megabytes: int = MEGABYTES
+    trusted: bool = False
+    why: str = ""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a job ended: what its process wrote, or what ended the process.
+    """How a job ended: what its process sent, and what ended the process.
 
-    ``ended`` says how, as :func:`ended` does.
+    ``ended`` says how, as :func:`ended` does, or is FULL. ``errors`` is what faulthandler wrote.
     """
 
     path: str
-    folder: Path
-    answer: dict[str, Any] | None
+    answer: Answer | None
     ended: str
+    errors: str
 
     @property
     def crashed(self) -> bool:
         """Whether the system ended the process for what it did."""
-        return self.ended not in ("", LATE) and not self.ended.startswith(STATUS)
+        return self.ended not in ("", LATE, FULL) and not self.ended.startswith(STATUS)
 
     @property
     def line(self) -> int:
         """The line of the program at which its process crashed; 0 if that is not known."""
-        try:
-            text = (self.folder / CRASH).read_text(errors="replace")
-        except OSError:
-            return 0
-        found = re.search(rf'File "{re.escape(self.path)}", line (\d+)', text)
+        found = re.search(rf'File "{re.escape(self.path)}", line (\d+)', self.errors)
         return int(found[1]) if found else 0
 
 
@@ -105,11 +112,16 @@ def ended(status: int, late: bool) -> str:
 
 @dataclass
 class Sandbox:
-    """What runs jobs; it deletes what their programs wrote when it is closed."""
+    """What runs jobs; it deletes what their programs wrote.
 
-    _server: "subprocess.Popen[bytes] | None" = field(default=None, init=False)
-    _folder: "tempfile.TemporaryDirectory[str] | None" = field(default=None, init=False)
-    _count: int = field(default=0, init=False)
+    ``contain`` is one of confinement.CHOICES. ``contained`` says what contains the programs, once
+    one has run.
+    """
+
+    contain: str = AUTO
+    contained: str = field(default="", init=False)
+    _server: "_Server | None" = field(default=None, init=False)
+    _place: Workplace | None = field(default=None, init=False)
 
     def __enter__(self) -> "Sandbox":
         return self
@@ -120,153 +132,227 @@ class Sandbox:
     def run(self, jobs: Sequence[Job]) -> list[Outcome]:
         """Run jobs beside each other.
 
-        NoOpenGLError without a usable OpenGL, UnexpectedError if a process of ours fails.
+        NoOpenGLError without a usable OpenGL, InputError if programs are to be contained and cannot
+        be, UnexpectedError if a process of ours fails.
         """
-        if self._folder is None:
-            self._folder = tempfile.TemporaryDirectory(
-                prefix="landscape-", ignore_cleanup_errors=True
-            )
-
-        places = []
-        for _ in jobs:
-            self._count += 1
-            places.append(Path(self._folder.name) / str(self._count))
-            places[-1].mkdir()
-
-        asked = [
-            {**asdict(job), "folder": str(place), "cwd": os.getcwd()}
-            for job, place in zip(jobs, places, strict=True)
-        ]
+        if self._place is None:
+            self._place = Workplace()
         try:
-            reasons = self._forked(asked) if limits.FORKS else _spawned(asked)
-            for trouble in (place / TROUBLE for place in places):
-                if trouble.exists():
-                    raise _unexpected(trouble)
+            with self._place.parts(len(jobs)) as places:
+                asked = [
+                    {**asdict(job), "folder": str(place), "cwd": os.getcwd()}
+                    for job, place in zip(jobs, places, strict=True)
+                ]
+                ends = self._forked(asked) if limits.FORKS else _spawned(asked, self.contain)
+            outcomes = []
+            for job, end in zip(jobs, ends, strict=True):
+                answer = received(end.data)
+                if answer is not None and "uncontained" in answer[0]:
+                    raise _uncontained(answer[0]["uncontained"])
+                if answer is not None and "trouble" in answer[0]:
+                    raise _unexpected(str(answer[0]["trouble"]))
+                outcomes.append(Outcome(job.path, answer, end.reason, end.errors))
         except BaseException:
             self.close()
             raise
 
-        return [
-            Outcome(job.path, place, _read(place / ANSWER), reason)
-            for job, place, reason in zip(jobs, places, reasons, strict=True)
-        ]
+        self.contained = ends[0].contained
+        return outcomes
 
-    def _forked(self, asked: list[dict[str, Any]]) -> list[str]:
+    def _forked(self, asked: list[dict[str, Any]]) -> list["End"]:
         """Let the waiting process run jobs; return how each ended."""
-        assert self._folder is not None
-        errors = Path(self._folder.name) / ERRORS
         if self._server is None:
-            self._server = _start("sandbox_forks", [], errors, subprocess.PIPE)
-        assert self._server.stdin is not None and self._server.stdout is not None
-        try:
-            self._server.stdin.write(json.dumps(asked).encode() + b"\n")
-            self._server.stdin.flush()
-            line = self._server.stdout.readline()
-        except BrokenPipeError:
-            line = b""
-        if not line:
-            raise _unexpected(errors, ended(self._server.wait(), False))
-        reply = json.loads(line)
-        if "no_opengl" in reply:
-            raise NoOpenGLError(reply["no_opengl"])
-        return list(reply["ended"])
+            self._server = _Server(self.contain)
+        return self._server.run(asked)
 
     def close(self) -> None:
         """End the waiting process, and delete what programs wrote; may be called twice."""
         if self._server is not None:
-            self._server.kill()
-            self._server.communicate()
-        if self._folder is not None:
-            self._folder.cleanup()
-        self._server = self._folder = None
+            self._server.close()
+        if self._place is not None:
+            self._place.close()
+        self._server = self._place = None
 
 
-def _spawned(asked: list[dict[str, Any]]) -> list[str]:
+@dataclass(frozen=True)
+class End:
+    """How a program's process ended, what it sent, what was written on its standard error."""
+
+    reason: str
+    data: bytes
+    errors: str
+    contained: str
+
+
+class _Server:
+    """The process that waits, and forks for each program (sandbox_forks.py)."""
+
+    def __init__(self, contain: str) -> None:
+        # Without a name, so that no program can put another file in its place.
+        self._errors = tempfile.TemporaryFile()  # noqa: SIM115
+        self._process = _start("sandbox_forks", [contain], self._errors, contain)
+        self.pid = self._process.pid
+
+    def run(self, asked: list[dict[str, Any]]) -> list[End]:
+        """Let it run jobs; return how each ended."""
+        assert self._process.stdin is not None and self._process.stdout is not None
+        try:
+            self._process.stdin.write(json.dumps(asked).encode() + b"\n")
+            self._process.stdin.flush()
+            line = self._process.stdout.readline()
+        except BrokenPipeError:
+            line = b""
+        if not line:
+            raise _unexpected(errors_in(self._errors), ended(self._process.wait(), False))
+        reply = json.loads(line)
+        if "no_opengl" in reply:
+            raise NoOpenGLError(reply["no_opengl"])
+        if "uncontained" in reply:
+            raise _uncontained(reply["uncontained"])
+        return [
+            End(reason, self._process.stdout.read(size), errors, reply["contained"])
+            for reason, size, errors in reply["ended"]
+        ]
+
+    def close(self) -> None:
+        """End it."""
+        self._process.kill()
+        self._process.communicate()
+        self._errors.close()
+
+
+def _spawned(asked: list[dict[str, Any]], contain: str) -> list[End]:
     """Run jobs beside each other, each in a Python of its own; return how each ended."""
     running: list[_Spawned] = []
     try:
-        running += map(_Spawned, asked)
+        for job in asked:
+            running.append(_Spawned(job, contain))
         while any([process.runs() for process in running]):
             time.sleep(PAUSE)
+        return [process.ended() for process in running]
     finally:
         for process in running:
-            process.end()
-    return [process.reason for process in running]
+            process.close()
 
 
 class _Spawned:
-    """A Python that runs one job; ``reason`` says how it ended."""
+    """A Python that runs one job."""
 
-    def __init__(self, job: dict[str, Any]) -> None:
+    def __init__(self, job: dict[str, Any], contain: str) -> None:
         self._folder = Path(job["folder"])
         self._seconds = job["seconds"]
-        self._ready = False
-        self.reason = ""
-        (self._folder / JOB).write_text(json.dumps(job))
-        words = [job["folder"], str(os.getpid())]
-        self._process = _start("sandboxed", words, self._folder / ERRORS, subprocess.DEVNULL)
+        self._ready: dict[str, Any] = {}
+        self._reason = ""
+        self._errors = tempfile.TemporaryFile()  # noqa: SIM115
+        self._process = _start("sandboxed", [str(os.getpid()), contain], self._errors, contain)
+        assert self._process.stdin is not None and self._process.stdout is not None
+        with contextlib.suppress(BrokenPipeError), self._process.stdin as jobs:
+            jobs.write(json.dumps(job).encode())
+        self._pipe = self._process.stdout
+        self._lines: list[bytes] = []  # the first line, which says whether it is ready
+        self._data = bytearray()
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
         self._deadline = time.monotonic() + START
+        self._looked = time.monotonic()
+
+    def _read(self) -> None:
+        """Take what the process sends, as much as it may."""
+        with contextlib.suppress(OSError, ValueError):  # the pipe is closed
+            self._lines.append(self._pipe.readline(PART))
+            while part := os.read(self._pipe.fileno(), PART):
+                if len(self._data) + len(part) > MOST_BYTES:
+                    self._reason = FULL
+                    return
+                self._data += part
 
     def runs(self) -> bool:
-        """Return whether the process still runs; end it if it is late."""
+        """Return whether the process still runs; end it if it is late, or has written too much."""
         status = self._process.poll()
-        self._look_for_ready()
+        if self._lines and not self._ready:
+            self._begin()
         late = status is None and time.monotonic() > self._deadline
-        if status is None and not late:
+        if status is None and time.monotonic() - self._looked > LOOK:
+            self._looked = time.monotonic()
+            if overfull(self._folder):
+                self._reason = FULL
+        if status is None and not late and not self._reason:
             return True
         if not self._ready:
             how = f"not ready within {START:g} s" if late else ended(status or 0, False)
-            raise _unexpected(self._folder / ERRORS, how)
-        self.reason = self.reason or ended(status or 0, late)
-        self.end()
+            raise _unexpected(errors_in(self._errors), how)
+        self._reason = self._reason or ended(status or 0, late)
+        self._end()
         return False
 
-    def _look_for_ready(self) -> None:
-        """Begin the program's own time once all is imported."""
-        if self._ready:
-            return
-        try:
-            answer = (self._folder / READY).read_bytes()
-        except OSError:  # not there yet; or, on Windows, not to be read yet
-            return
-        self._ready = True
-        if no_opengl := json.loads(answer)["no_opengl"]:
-            raise NoOpenGLError(no_opengl)
+    def _begin(self) -> None:
+        """Begin the program's own time: all is imported."""
+        if not self._lines[0].endswith(b"\n"):
+            return  # it ended before
+        self._ready = json.loads(self._lines[0])
+        if reason := self._ready["no_opengl"]:
+            raise NoOpenGLError(reason)
         self._deadline = time.monotonic() + self._seconds + GRACE
 
-    def end(self) -> None:
+    def _end(self) -> None:
         """End the process and its children; may be called twice."""
         limits.end_group(self._process.pid)
         self._process.wait()
 
+    def ended(self) -> End:
+        """Return how it ended; what it sent has come by then, or a process holds the pipe open."""
+        self._reader.join(GRACE)
+        contained = self._ready["contained"]
+        return End(self._reason, bytes(self._data), errors_in(self._errors), contained)
 
-def _start(module: str, words: list[str], errors: Path, pipes: int) -> "subprocess.Popen[bytes]":
+    def close(self) -> None:
+        """End the process, and let go of its files."""
+        self._end()
+        self._errors.close()
+        self._reader.join(GRACE)
+        if not self._reader.is_alive():
+            self._pipe.close()
+
+
+def _start(
+    module: str, words: list[str], errors: IO[bytes], contain: str
+) -> "subprocess.Popen[bytes]":
     """Start a module of the course as a process whose standard error is a file."""
     package = str(Path(__file__).resolve().parents[3])
     paths = [package, *filter(None, [os.environ.get("PYTHONPATH")])]
-    with errors.open("wb") as file:
-        return subprocess.Popen(
-            [sys.executable, "-P", "-m", f"landscape.course.grader.{module}", *words],
-            stdin=pipes,
-            stdout=pipes,
-            stderr=file,
-            env={**os.environ, **THREADS, "PYTHONPATH": os.pathsep.join(paths)},
-            **limits.OWN_GROUP,
+    contained = contain != NONE and containment.possible()
+    known = confinement.environment() if contained else os.environ
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", f"landscape.course.grader.{module}", *words],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=errors,
+        env={**known, **THREADS, "PYTHONPATH": os.pathsep.join(paths)},
+        bufsize=0 if module == "sandboxed" else -1,  # whose standard output two readers share
+        **limits.OWN_GROUP,
+    )
+
+
+def _uncontained(reason: str) -> InputError:
+    """Return the error where programs must be contained and cannot be (Prepared.reason)."""
+    if reason == NO_SYSTEM:
+        return InputError("--contain require: expected Linux with Landlock (5.13 or later)")
+    if reason == NEEDS_SCREEN:
+        return InputError(
+            "--contain require: expected an OpenGL that needs no screen: OSMesa or EGL"
         )
+    return InputError("--contain require: expected an OpenGL that a contained program can open")
 
 
-def _unexpected(errors: Path, how: str = "") -> UnexpectedError:
+def errors_in(file: IO[bytes]) -> str:
+    """Return what was written into the standard error of a process, as far as it is needed."""
+    file.seek(0)
+    return file.read(CRASH_BYTES).decode(errors="replace")
+
+
+def _unexpected(details: str, how: str = "") -> UnexpectedError:
     """Return the error for a process of ours that wrote errors, or ended as ``how`` says."""
-    details = errors.read_text(encoding="utf-8", errors="replace")
     lines = details.strip().splitlines() or [how or "status 0"]
     reason = lines[-1] if lines[0].startswith("Traceback") else lines[0]
     reason += raised_at(details)
     return UnexpectedError(f"the process that runs programs ended ({reason})", details)
-
-
-def _read(path: Path) -> dict[str, Any] | None:
-    try:
-        found = json.loads(path.read_bytes())
-    except (OSError, RecursionError, ValueError):
-        return None
-    return found if isinstance(found, dict) else None

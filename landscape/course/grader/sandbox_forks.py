@@ -1,6 +1,7 @@
 """The sandbox's waiting process, which forks for each program (see sandbox.py).
 
-It answers each line of standard input, a list of jobs, by a line that says how each of them ended.
+It answers each line of standard input, a list of jobs, by a line that says how each of them ended,
+and then by what each of them sent.
 """
 
 import contextlib
@@ -8,60 +9,157 @@ import json
 import os
 import select
 import sys
+import tempfile
 import time
-from typing import Any
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import IO, Any
 
 from framelens.system import limits
-from landscape.course.grader.sandbox import GRACE, ended
-from landscape.course.grader.sandboxed import prepare, run_program
+from landscape.course.grader.confinement import LANDLOCK
+from landscape.course.grader.sandbox import FULL, GRACE, LOOK, NOT_OPENED, Job, ended, errors_in
+from landscape.course.grader.sandboxed import Prepared, prepare, run_program
+from landscape.course.grader.stream import MOST_BYTES, PART, received
+from landscape.course.grader.workplace import overfull
 
 assert sys.platform != "win32"
 
+SMALL = """
+import glfw
+from OpenGL.GL import *
+glfw.init()
+window = glfw.create_window(8, 8, "", None, None)
+glfw.make_context_current(window)
+while not glfw.window_should_close(window):
+    glClear(GL_COLOR_BUFFER_BIT)
+    glfw.swap_buffers(window)
+    glfw.poll_events()
+"""
 
-def serve() -> None:
+
+def serve(contain: str) -> None:
     """Answer until standard input ends."""
     limits.end_with(os.getppid())
+    limits.adopt_orphans()
     # Programs inherit the numbers 0 and 1, which must not lead to whoever asks.
-    asked, replies = os.fdopen(os.dup(0)), os.fdopen(os.dup(1), "w")
+    asked, replies = os.fdopen(os.dup(0)), os.fdopen(os.dup(1), "wb")
     discard = os.open(os.devnull, os.O_RDWR)
     for number in range(2):
         os.dup2(discard, number)
     with contextlib.ExitStack() as stack:
-        no_opengl = prepare(stack)
+        ours = prepare(stack, contain)
+        # The driver of a graphics card may need what a contained program has not.
+        if ours.contained == LANDLOCK and ours.backend != "osmesa" and not _opens(ours):
+            ours.give_up(NOT_OPENED)
         for line in asked:
-            answer = {"no_opengl": no_opengl} if no_opengl else {"ended": _run(json.loads(line))}
-            print(json.dumps(answer), file=replies, flush=True)
+            if ours.no_opengl or ours.uncontained:
+                word = "no_opengl" if ours.no_opengl else "uncontained"
+                answer: dict[str, Any] = {word: ours.no_opengl or ours.uncontained}
+                running = []
+            else:
+                running = _run(json.loads(line), ours)
+                how = [(each.reason, len(each.data), each.said) for each in running]
+                answer = {"contained": ours.contained, "ended": how}
+            replies.write(json.dumps(answer).encode() + b"\n")
+            for each in running:
+                replies.write(each.data)
+            replies.flush()
 
 
-def _run(jobs: list[dict[str, Any]]) -> list[str]:
-    """Run jobs beside each other; return how each ended."""
-    running: dict[int, tuple[int, int, float]] = {}
-    us = os.getpid()
-    for index, job in enumerate(jobs):
-        ends, held = os.pipe()  # the program holds one end as long as it lives
-        pid = os.fork()
-        if pid == 0:
-            os.close(ends)
-            os.setsid()
-            run_program(job, us)
-        os.close(held)
-        running[ends] = index, pid, time.monotonic() + job["seconds"] + GRACE
+def _opens(ours: Prepared) -> bool:
+    """Return whether a program that is contained can open OpenGL and draw."""
+    with tempfile.TemporaryDirectory(prefix="landscape-") as folder:
+        path = Path(folder).resolve() / "small.py"
+        path.write_text(SMALL, encoding="utf-8")
+        own = path.parent / "own"
+        own.mkdir()
+        job = Job(str(path), [0], calls=False)
+        (found,) = _run([{**asdict(job), "folder": str(own), "cwd": os.getcwd()}], ours)
+    answer = received(bytes(found.data))
+    return answer is not None and "frames" in answer[0]
 
-    reasons = [""] * len(jobs)
+
+@dataclass
+class _Running:
+    """A program's process: its pipe's end, and what has come through it."""
+
+    pid: int
+    pipe: int
+    errors: IO[bytes]
+    folder: Path
+    deadline: float
+    looked: float = field(default_factory=time.monotonic)
+    data: bytearray = field(default_factory=bytearray)
+    reason: str = ""
+    said: str = ""
+
+    def read(self) -> bool:
+        """Take a part of what is sent; return whether there may be more."""
+        part = os.read(self.pipe, PART)
+        if len(self.data) + len(part) > MOST_BYTES:
+            self.reason = FULL
+            return False
+        self.data += part
+        return bool(part)
+
+    def lives(self) -> bool:
+        """Return whether the process has not ended: one that it has started may hold the pipe."""
+        return os.waitid(os.P_PID, self.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None
+
+    def overfull(self) -> bool:
+        """Look from time to time whether the program writes more files than it may."""
+        if time.monotonic() - self.looked < LOOK:
+            return False
+        self.looked = time.monotonic()
+        if overfull(self.folder):
+            self.reason = FULL
+        return self.reason == FULL
+
+    def end(self, late: bool) -> None:
+        """End the process, if it has not ended, and note how it did."""
+        limits.end_group(self.pid)
+        status = os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
+        self.reason = self.reason or ended(status, late)
+        os.close(self.pipe)
+        with self.errors:
+            self.said = errors_in(self.errors)
+
+
+def _run(jobs: list[dict[str, Any]], ours: Prepared) -> list[_Running]:
+    """Run jobs beside each other; return their processes, which have ended."""
+    started = [_begin(job, ours) for job in jobs]
+    running = list(started)
     while running:
-        left = min(end for _, _, end in running.values()) - time.monotonic()
-        ready = select.select(list(running), [], [], max(left, 0))[0]
-        for ends, (index, pid, deadline) in list(running.items()):
-            if ends not in ready and time.monotonic() < deadline:
+        due = min(each.deadline for each in running) - time.monotonic()
+        pipes = [each.pipe for each in running]
+        ready = select.select(pipes, [], [], min(max(due, 0), LOOK))[0]
+        for each in list(running):
+            late = time.monotonic() >= each.deadline
+            goes_on = each.read() if each.pipe in ready else each.lives()
+            if goes_on and not late and not each.overfull():
                 continue
-            limits.end_group(pid)
-            status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
-            reasons[index] = ended(status, ends not in ready)
-            os.close(ends)
-            del running[ends]
+            each.end(late and goes_on)
+            running.remove(each)
+            limits.end_orphans({other.pid for other in running})
 
-    return reasons
+    return started
+
+
+def _begin(job: dict[str, Any], ours: Prepared) -> _Running:
+    """Start the process of a job."""
+    pipe, answers = os.pipe()
+    # Without a name, so that no program can put another file in its place.
+    errors = tempfile.TemporaryFile()  # noqa: SIM115
+    us = os.getpid()
+    pid = os.fork()
+    if pid == 0:
+        os.setsid()
+        limits.close_all_but(answers, errors.fileno())
+        run_program(job, us, ours, answers, errors.fileno())
+    os.close(answers)
+    deadline = time.monotonic() + job["seconds"] + GRACE
+    return _Running(pid, pipe, errors, Path(job["folder"]), deadline)
 
 
 if __name__ == "__main__":
-    serve()
+    serve(sys.argv[1])

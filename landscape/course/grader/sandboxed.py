@@ -1,7 +1,8 @@
 """What runs in the sandbox's processes: a program within its limits (see sandbox.py).
 
-As a module of its own, ``python -m landscape.course.grader.sandboxed FOLDER PARENT`` runs one
-program: the job is in the folder, and the process ends when the process PARENT does.
+As a module of its own, ``python -m landscape.course.grader.sandboxed PARENT CONTAIN`` runs one
+program: the job is its standard input, and what it sends its standard output; the process ends when
+the process PARENT does.
 """
 
 import contextlib
@@ -16,8 +17,11 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from framelens.system import limits
-from landscape.course.grader.sandbox import ANSWER, CRASH, FILE_BYTES, GRACE, JOB, READY, TROUBLE
+from framelens.system import containment, limits
+from landscape.course.grader import confinement, shaders
+from landscape.course.grader.confinement import LANDLOCK, NONE, PYTHON, REQUIRE
+from landscape.course.grader.sandbox import FILE_BYTES, GRACE, NEEDS_SCREEN, NO_SYSTEM
+from landscape.course.grader.stream import send
 
 # What each program needs, imported once.
 PRELOADED = (
@@ -28,20 +32,59 @@ PRELOADED = (
 )
 
 
-def prepare(stack: contextlib.ExitStack) -> str:
-    """Import what programs need, replace OpenGL's functions, and leave the network.
+# The kinds of OpenGL that are opened by files alone: a window of GLFW needs the screen's socket.
+OPENED_BY_FILES = ("osmesa", "egl")
 
-    Returns why there is no OpenGL, or "".
+
+class Prepared:
+    """What all programs of a process have: ``no_opengl`` says why there is none, or "".
+
+    ``contained`` is what will contain them, and ``reason`` why it is not the system.
     """
+
+    def __init__(self, contain: str) -> None:
+        self.no_opengl = self.reason = ""
+        self.contained = PYTHON
+        self.backend = ""
+        self._contain = contain
+        self.shaders: Path | None = None
+
+    def choose(self) -> None:
+        """Decide what contains the programs."""
+        if self._contain == NONE:
+            return
+        if not containment.possible():
+            self.reason = NO_SYSTEM
+        elif self.backend not in OPENED_BY_FILES:
+            self.reason = NEEDS_SCREEN
+        else:
+            self.contained = LANDLOCK
+            self.shaders = shaders.folder()
+
+    def give_up(self, reason: str) -> None:
+        """Let Python alone contain the programs."""
+        self.contained, self.reason, self.shaders = PYTHON, reason, None
+
+    @property
+    def uncontained(self) -> str:
+        """Why programs cannot be contained although they must be, or ""."""
+        return self.reason if self._contain == REQUIRE else ""
+
+
+def prepare(stack: contextlib.ExitStack, contain: str) -> Prepared:
+    """Import what programs need, replace OpenGL's functions, and leave the network."""
     from framelens.base.errors import NoOpenGLError
     from framelens.program.program_context import bind
     from framelens.program.program_source import Source
 
     limits.leave_network()  # if it cannot, Python's refusal of sockets remains
+    found = Prepared(contain)
     try:
-        backend = bind(Source(Path(), compile("", "", "exec"), frozenset(), True), "auto")
+        source = Source(Path(), compile("", "", "exec"), frozenset(), True)
+        found.backend = backend = bind(source, "auto")
     except NoOpenGLError as error:
-        return str(error)
+        found.no_opengl = str(error)
+        return found
     for name in (*PRELOADED, *(["OpenGL.osmesa"] if backend == "osmesa" else [])):
         import_module(name)
     from framelens.program.program import prepared
@@ -51,53 +94,81 @@ def prepare(stack: contextlib.ExitStack) -> str:
     if limits.FORKS:
         state_reading.prepare()  # once for all programs; on Windows it would need a context
     stack.enter_context(prepared(make))
+    found.choose()
     sys.dont_write_bytecode = True
     gc.collect()
     gc.freeze()
     gc.set_threshold(50_000, 20, 100)  # calls are kept to the end: looking for garbage is in vain
-    return ""
+    return found
 
 
-def run_program(job: dict[str, Any], parent: int) -> None:
-    """Run one program within its limits, and end the process."""
+def run_program(
+    job: dict[str, Any], parent: int, ours: Prepared, answers: int, errors: int
+) -> None:
+    """Run one program within its limits, and end the process.
+
+    ``answers`` is the pipe for what it sends, ``errors`` the file for what faulthandler writes.
+    """
     leave = os._exit  # a program is given another one
-    folder = Path(job["folder"])
     try:
         limits.end_with(parent)
         discard = os.open(os.devnull, os.O_RDWR)
         for number in range(3):
             os.dup2(discard, number)
         os.chdir(job["cwd"])
+        folder = Path(job["folder"])
         tempfile.tempdir = str(folder)
         os.environ.update(dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(folder)))
         limits.limit_work(int(job["seconds"] + GRACE) + 1, FILE_BYTES)
         limits.limit_memory(limits.used() + (job["megabytes"] << 20))
-        from landscape.course.grader.witness import run
+        if ours.backend == "osmesa":
+            limits.limit_addresses(
+                job["megabytes"] << 20
+            )  # drivers of cards take them by terabytes
+        from landscape.course.grader import witness
 
+        if job["why"]:
+            from landscape.course.grader import cause  # before its file can no more be read
+        if ours.contained == LANDLOCK:
+            _confine(job, folder, ours)
         # Where the program is when it crashes, for the grader.
-        crash = os.open(folder / CRASH, os.O_WRONLY | os.O_CREAT)
-        faulthandler.enable(crash, all_threads=False)
-        run(job, folder / ANSWER, leave)
+        faulthandler.enable(errors, all_threads=False)
+        if job["why"]:
+            send(answers, {"cause": cause.of(job["path"], max(job["frames"]), job["why"])})
+        else:
+            witness.run(job, answers, leave)
         leave(0)
     except BaseException:
         try:
-            limits.limit_memory(None)
-            (folder / TROUBLE).write_text(traceback.format_exc(), encoding="utf-8")
+            with contextlib.suppress(OSError, ValueError):
+                limits.limit_memory(None)
+            send(answers, {"trouble": traceback.format_exc()})
         finally:
             leave(1)
 
 
-def main(folder: Path, parent: int) -> None:
-    """Run the program of a folder's job, in this process."""
+def _confine(job: dict[str, Any], folder: Path, ours: Prepared) -> None:
+    """Leave this process to what its program may have; its home is its own folder."""
+    written = shaders.use(ours.shaders, folder, job["trusted"])
+    os.environ["HOME"] = str(folder)
+    readable = [ours.shaders] if ours.shaders is not None else []
+    confinement.confine(Path(job["path"]), readable, [folder, *written])
+
+
+def main(parent: int, contain: str) -> None:
+    """Run the program of the job that standard input holds, in this process."""
     limits.end_with(parent)
+    job = json.load(sys.stdin)
+    answers, errors = os.dup(1), os.dup(2)
     with contextlib.ExitStack() as stack:
-        no_opengl = prepare(stack)
-        # Written whole at once: whoever waits for it looks whether it is there.
-        (folder / f"{READY}.part").write_text(json.dumps({"no_opengl": no_opengl}))
-        os.replace(folder / f"{READY}.part", folder / READY)
-        if not no_opengl:
-            run_program(json.loads((folder / JOB).read_bytes()), parent)
+        ours = prepare(stack, contain)
+        ready = {"no_opengl": ours.no_opengl, "contained": ours.contained}
+        os.write(answers, json.dumps(ready).encode() + b"\n")
+        if ours.uncontained:
+            send(answers, {"uncontained": ours.uncontained})
+        elif not ours.no_opengl:
+            run_program(job, parent, ours, answers, errors)
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), int(sys.argv[2]))
+    main(int(sys.argv[1]), sys.argv[2])

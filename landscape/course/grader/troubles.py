@@ -23,6 +23,10 @@ SENTENCES: Texts = {
     "network": "line {line}: the program uses the network, which it cannot while it is checked",
     "start": "line {line}: the program starts another one, which it cannot while it is checked",
     "write": "line {line}: the program writes a file, which it cannot while it is checked",
+    "read": "line {line}: the program reads files of the course, which it cannot while it is "
+    "checked",
+    "unclosed": "line {line}: {call} is called between glBegin and glEnd: a glEnd is missing "
+    "before it",
     "late_window": "opened no window within {seconds:g} s: does a loop before it never end?",
     "no_window": "ended without opening a window",
     "no_context": "shows a frame without a context: glfw.make_context_current(window) must come "
@@ -33,6 +37,7 @@ SENTENCES: Texts = {
     "late_frame": "got no farther than frame {frames} within {seconds:g} s",
     "ended": "ended in frame {frames}: it must go on until its window is closed",
     "late": "did not end within {seconds:g} s, and could not be interrupted",
+    "full": "writes more into files, or draws larger pictures, than an exercise needs",
     "crashed": "the program crashed ({signal})",
     "crashed_at": "line {line}: the program crashed ({signal}): OpenGL reads arrays as far as it "
     "is told, even beyond their end",

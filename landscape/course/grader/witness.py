@@ -1,16 +1,15 @@
 """What is noted of a program while it runs in the sandbox: pictures, calls, and states.
 
-It is written as evidence_file.py says. A program that did not get to its last frame has "error"
+It is sent as evidence_file.py says. A program that did not get to its last frame has "error"
 instead: what went wrong, by one of the words of landscape.course.grader.troubles, and the "line" of
 the program and other values for its message.
 """
 
-import json
 import sys
+import tempfile
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from functools import cache
-from pathlib import Path
 from types import FrameType
 from typing import Any
 
@@ -26,6 +25,7 @@ from framelens.spec import spec
 from framelens.state import state
 from landscape.course.grader.evidence_file import Writer, only_gives_numbers
 from landscape.course.grader.refusals import Refusals
+from landscape.course.grader.stream import send
 from landscape.course.grader.troubles import SENTENCES
 
 MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
@@ -40,18 +40,17 @@ MATRICES = {  # by the names of the state
 }
 
 
-def run(job: dict[str, Any], answer: Path, leave: Callable[[int], Any]) -> None:
-    """Run a program and write the evidence; ``leave`` ends the process."""
-    refusals = Refusals(job["path"], job["folder"])
+def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
+    """Run a program and send the evidence into a pipe; ``leave`` ends the process."""
+    refusals = Refusals(job["path"], tempfile.gettempdir())
     sys.addaudithook(refusals)
-    witness = Witness(job["path"], job["frames"], answer.parent, job["calls"])
+    witness = Witness(job["path"], job["frames"], job["calls"])
 
     def end(found: dict[str, Any]) -> None:
         try:
-            written = json.dumps(found)
+            send(answers, found, witness.blobs)
         except MemoryError:
-            written = json.dumps({"error": {"word": "calls"}})
-        answer.write_text(written)
+            send(answers, {"error": {"word": "calls"}})
         leave(0)
 
     witness.finished = lambda: end(witness.evidence())
@@ -77,14 +76,16 @@ def _trouble(
     """Return what went wrong as a word of troubles.py, and the values of its message."""
     if package := str(error).partition("needs the Python package ")[2]:
         return {"word": "package", "reason": package.partition(",")[0].partition(":")[0]}
-    raised = error.details.strip().splitlines()
-    if raised:
+    if error.details.strip():
         line = _line_of(str(error))
-        if refusals.refused and raised[-1].startswith("PermissionError"):
+        raised = str(error.values.get("reason", ""))
+        if witness.unclosed and "StateError" in raised:
+            return {"word": "unclosed", **witness.unclosed}
+        if refusals.refused and raised.startswith("PermissionError"):
             return {"word": refusals.refused, "line": line}
-        if "MemoryError" in raised[-1]:
-            return {"word": "calls" if MANY_CALLS in raised[-1] else "memory", "line": line}
-        trouble = {"line": line, **_exception(error.details)}
+        if "MemoryError" in raised:
+            return {"word": "calls" if MANY_CALLS in raised else "memory", "line": line}
+        trouble = {"line": line, **_exception(raised, error.details)}
         if witness.window is None and "call" in trouble:
             trouble["word"] = "early"  # where calls without a context are errors, as on Windows
         return trouble
@@ -115,13 +116,13 @@ def _line_of(message: str) -> int:
     return int(digits) if digits.isdigit() else 0
 
 
-def _exception(details: str) -> dict[str, Any]:
-    """Return the word for what a traceback ends with, and the values of its message."""
+def _exception(raised: str, details: str) -> dict[str, Any]:
+    """Return the word for an exception, ``raised`` in one line, and the values of its message."""
     lines = [line.strip() for line in details.strip().splitlines()]
     if lines[-1].startswith(CAUGHT):
         return {"word": "crashed_at", "signal": lines[-1].removeprefix(CAUGHT)}
     if lines[-1] != ")":
-        return {"word": "raised", "error": lines[-1][:200]}
+        return {"word": "raised", "error": raised[:200]}
     # PyOpenGL writes its errors as GLError( err = 1280, description = b'...', ... ).
     words = dict(line.rstrip(",").split(" = ", 1) for line in lines if " = " in line)
     said = words.get("description", "").strip("b'\"")
@@ -146,12 +147,10 @@ class Witness(ExitStack):
     Without ``calls`` it takes only their pictures.
     """
 
-    def __init__(
-        self, program: str, frames: Sequence[int], folder: Path, calls: bool = True
-    ) -> None:
+    def __init__(self, program: str, frames: Sequence[int], calls: bool = True) -> None:
         super().__init__()
         self._program, self._writer = program, Writer(program)
-        self._wanted, self._folder = set(frames), folder
+        self._wanted = set(frames)
         self._records = calls
         self._unnoted = ExitStack()
         self._frames: dict[int, dict[str, Any]] = {}
@@ -163,6 +162,7 @@ class Witness(ExitStack):
         self._begin = 0
         self.window: Window | None = None
         self.ended = 0  # frames that are complete
+        self.unclosed: dict[str, Any] = {}  # a call that draws between glBegin and glEnd
         self.finished: Callable[[], None] = lambda: None
 
     make = staticmethod(make)
@@ -203,11 +203,9 @@ class Witness(ExitStack):
             size = self.window.size()
             with unnoted():
                 pixels = read_pixels(size)
-            name = f"frame-{number}.rgb"
-            (self._folder / name).write_bytes(pixels.tobytes())
             self._frames[number] = {
                 "size": list(size),
-                "pixels": name,
+                "pixels": self._writer.blobs.add(pixels.tobytes()),
                 "calls": self._calls_of_frame(),
             }
 
@@ -216,6 +214,11 @@ class Witness(ExitStack):
 
     def notice(self, text: str) -> None:
         """Take a sentence for the user, of which a grader has no need."""
+
+    @property
+    def blobs(self) -> Sequence[bytes]:
+        """What is sent beside the evidence."""
+        return self._writer.blobs.all
 
     def evidence(self) -> dict[str, Any]:
         """Return all that was noted."""
@@ -229,7 +232,7 @@ class Witness(ExitStack):
             "setup": self._calls_of_setup(),
             "states": [first, *others],
             "early": self.window.early if self.window is not None else None,
-            **self._writer.written(self._folder),
+            **self._writer.written(),
         }
 
     def _calls_of_frame(self) -> Any:
@@ -264,9 +267,15 @@ class Witness(ExitStack):
         if group == "vertex":
             return
         self._ways[id(call)] = _way(call, self._program)
-        if draws or call.name.startswith("glCallList"):
-            self._of_call[id(call)] = self._state_now()
-            self._changed = self._changed or call.name.startswith("glCallList")
+        lists = call.name.startswith("glCallList")
+        if draws or lists:
+            try:
+                self._of_call[id(call)] = self._state_now()
+            except state.StateError:  # between glBegin and glEnd, where lists may be called
+                if not lists:
+                    self.unclosed = {"call": call.name, "line": call.site.line}
+                    raise
+            self._changed = self._changed or lists
             return
         self._moved = self._moved or group == "matrix"
         self._changed = self._changed or group not in UNREAD

@@ -16,16 +16,17 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, UnexpectedError
 from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import png
 from framelens.base.texts import said, translator
 from framelens.system.processes import cores
 from landscape.course.exercise import Grader, Report
 from landscape.course.grader.budget import SECONDS
+from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import Hint
 from landscape.course.grader.heat_map import heat_map
-from landscape.course.grader.troubles import sentence
+from landscape.course.grader.troubles import LONGEST, sentence
 from landscape.course.roster.submissions import Submission, late
 from landscape.files.cache import recall
 
@@ -71,7 +72,7 @@ class Rules:
     """How a class is graded; ``points`` is what a program gets that passes all tests.
 
     Where it is None, each test is worth a point. ``version`` is told in each row. ``again``: files
-    that have not changed are run, too.
+    that have not changed are run, too. ``contain``: as of a Grader.
     """
 
     language: str = "en"
@@ -79,6 +80,7 @@ class Rules:
     points: float | None = None
     version: str = ""
     again: bool = False
+    contain: str = AUTO
 
 
 def grade_class(
@@ -139,7 +141,10 @@ def grade(rules: Rules, data: bytes) -> tuple[dict[str, Any], bytes]:
         text = json.dumps(values).encode()
         return np.frombuffer(text, np.uint8), np.frombuffer(picture, np.uint8)
 
-    text, picture = recall([key, data], make, fresh=rules.again)
+    try:
+        text, picture = recall([key, data], make, fresh=rules.again)
+    except UnexpectedError as error:  # as a program can provoke: the others are graded all the same
+        return {"error": " ".join(str(error).split())[:LONGEST]}, b""
     return dict(json.loads(text.tobytes())), picture.tobytes()
 
 
@@ -148,7 +153,7 @@ class _Opened:
 
     def __init__(self, rules: Rules) -> None:
         self._rules = rules
-        self._grader = Grader(rules.seconds)
+        self._grader = Grader(rules.seconds, rules.contain)
         self._folder = tempfile.TemporaryDirectory(prefix="landscape-class-")
 
     def graded(self, data: bytes) -> tuple[dict[str, Any], bytes]:
@@ -195,6 +200,7 @@ def _values(report: Report, rules: Rules) -> dict[str, Any]:
     whole = rules.points if rules.points is not None else float(len(tests))
     values: dict[str, Any] = {
         "exercise": report.exercise.name,
+        "contained": report.contained,
         "passed": report.passed,
         "points": round(whole * right / len(tests), 2),
         "of": whole,

@@ -1,0 +1,68 @@
+"""The one way from a program's process to the grader: a pipe, read within limits.
+
+What comes is 8 bytes, the length of a text of JSON; that text; and the blobs, whose lengths are its
+"blobs", one after the other. In the JSON a blob is named by its number.
+"""
+
+import json
+import os
+import struct
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+MOST_BYTES = 256 << 20  # chosen: of all that a program's process sends
+MOST_TEXT = 32 << 20  # chosen: of its JSON, which takes far more memory once it is read
+PART = 1 << 20  # bytes that are written or read at once
+LENGTH = struct.Struct(">Q")
+
+Answer = tuple[dict[str, Any], Sequence[memoryview]]
+
+
+class Blobs:
+    """Bytes that are sent beside the JSON; the same ones once."""
+
+    def __init__(self) -> None:
+        self.all: list[bytes] = []
+        self._numbers: dict[bytes, int] = {}
+
+    def add(self, data: bytes) -> int:
+        """Return the number by which the JSON names them."""
+        if data not in self._numbers:
+            self._numbers[data] = len(self.all)
+            self.all.append(data)
+        return self._numbers[data]
+
+
+def send(file: int, answer: Mapping[str, Any], blobs: Sequence[bytes] = ()) -> None:
+    """Write an answer and its blobs into a pipe."""
+    text = json.dumps({**answer, "blobs": [len(each) for each in blobs]}).encode()
+    for data in (LENGTH.pack(len(text)), text, *blobs):
+        rest = memoryview(data)
+        while rest:
+            rest = rest[os.write(file, rest[:PART]) :]
+
+
+def received(data: bytes) -> Answer | None:
+    """Return what was sent; None if it has another form, as what a program itself has written."""
+    try:
+        (length,) = LENGTH.unpack_from(data)
+        if length > MOST_TEXT:
+            return None
+        end = LENGTH.size + length
+        answer = json.loads(data[LENGTH.size : end])
+        if not isinstance(answer, dict):
+            return None
+        return answer, _parted(memoryview(data)[end:], answer["blobs"])
+    except (KeyError, RecursionError, TypeError, ValueError, struct.error):
+        return None
+
+
+def _parted(data: memoryview, sizes: Sequence[int]) -> list[memoryview]:
+    """Cut bytes into blobs; ValueError unless they are exactly as many."""
+    if any(type(size) is not int or size < 0 for size in sizes) or sum(sizes) != len(data):
+        raise ValueError("blobs of other sizes")
+    blobs, begin = [], 0
+    for size in sizes:
+        blobs.append(data[begin : begin + size])
+        begin += size
+    return blobs

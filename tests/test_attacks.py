@@ -1,0 +1,479 @@
+"""Programs that try to get out of the sandbox, where the system contains them.
+
+Each of them goes around Python: by ctypes, or by functions that tell nothing. What it could read it
+would raise as an exception, which the report shows; what it could write or start is looked for.
+"""
+
+import os
+import socket
+import tempfile
+import tracemalloc
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from framelens.base.errors import InputError, UnexpectedError
+from framelens.system import containment, limits
+from landscape.course.exercise import FOLDER, Grader, Report, _syntax, exercise
+from landscape.course.grader import evidence_file, stream, workplace
+from landscape.course.grader.confinement import LANDLOCK, NONE, PYTHON, REQUIRE
+from landscape.course.roster.grades import Rules, grade_class
+from landscape.course.roster.submissions import Submission
+
+pytestmark = [
+    pytest.mark.posix_only("the system contains no programs"),
+    pytest.mark.skipif(
+        not containment.possible(), reason="the system has no Landlock, or another processor"
+    ),
+]
+SECONDS = 60.0  # a program may take; the machine may be busy with other tests
+SECRET = "the work of somebody else"
+SOLUTION = (exercise("winding").folder / "solution.py").read_text(encoding="utf-8")
+HEAD = """
+import ctypes, os, sys
+from pathlib import Path
+C = ctypes.CDLL(None, use_errno=True)
+HOME, OTHER, COURSE = Path({home!r}), Path({other!r}), Path({course!r})
+PARENT, GRADER, PORT = os.getppid(), {grader}, {port}
+
+def leak(what):
+    raise RuntimeError(f"LEAK {{what}}")
+
+def wait():
+    while True:
+        C.sleep(600)  # time.sleep does not wait: the clock of a program is held
+
+def by_c(path):
+    file = C.open(os.fsencode(path), 0)
+    data = ctypes.create_string_buffer(1 << 16)
+    if file >= 0 and C.read(file, data, len(data)) > 0:
+        leak(data.value[:30])
+"""
+DEFECT = "says that the grader has a defect"
+ATTACKS = {
+    "replaces a file of the home": """
+try:
+    mine = Path(os.environ["TMPDIR"]) / "mine"
+    mine.write_text("lost")
+    C.rename(bytes(mine), bytes(HOME / "precious.txt"))
+    C.renameat2(-100, bytes(mine), -100, bytes(HOME / "precious.txt"), 0)
+    C.link(bytes(mine), bytes(HOME / "new.txt"))
+    C.symlink(bytes(mine), bytes(HOME / "newer.txt"))
+except OSError:
+    pass
+""",
+    "writes, empties and deletes by C": """
+path = bytes(HOME / "precious.txt")
+for flags in (1, 2, 0o1001, 0o101, 0o2001):
+    C.write(C.open(path, flags, 0o600), b"lost", 4)
+C.truncate(path, 0)
+C.unlink(path)
+C.rmdir(bytes(HOME))
+C.mkdir(bytes(HOME / "new"), 0o700)
+C.mkfifo(bytes(HOME / "fifo"), 0o600)
+C.chmod(path, 0)
+C.chown(path, 12345, 12345)
+C.setxattr(path, b"user.lost", b"1", 1, 0)
+C.utimes(path, None)
+""",
+    "reads the work of others": """
+by_c(OTHER)
+by_c(HOME / "precious.txt")
+for entry in ("self", str(PARENT), str(GRADER), "1"):
+    for way in ("root", "cwd"):
+        by_c(f"/proc/{entry}/{way}" + str(OTHER))
+link = os.environ["TMPDIR"] + "/link"
+C.link(bytes(OTHER), link.encode()), C.symlink(bytes(OTHER), link.encode())
+by_c(link)
+for folder in (OTHER.parent, HOME):
+    if C.opendir(bytes(folder)) > 0 and os.listdir(folder):
+        leak(folder)
+""",
+    "reads the solution and the grader": """
+for path in (*COURSE.glob("exercises/winding/*.py"), *COURSE.glob("grader/*.py")):
+    by_c(path)
+for name in ("solution.py", "grading.py", "mutants.py", "__pycache__/solution.cpython-311.pyc"):
+    by_c(COURSE / "exercises/winding" / name)
+by_c(COURSE.parents[1] / ".git/HEAD")
+for name in ("landscape.course.exercises.winding.solution", "landscape.course.exercise"):
+    try:
+        __import__(name)
+        leak(name)
+    except (ImportError, OSError):
+        pass
+""",
+    "looks into other processes": """
+class Part(ctypes.Structure):
+    _fields_ = [("base", ctypes.c_void_p), ("size", ctypes.c_size_t)]
+data = ctypes.create_string_buffer(64)
+mine, there = Part(ctypes.addressof(data), 64), Part(id(None), 64)
+for other in (PARENT, GRADER):
+    if C.process_vm_readv(other, ctypes.byref(mine), 1, ctypes.byref(there), 1, 0) > 0:
+        leak("memory")
+    if C.ptrace(16, other, None, None) == 0 or C.ptrace(0x4206, other, None, None) == 0:
+        leak("ptrace")
+    for name in ("environ", "mem", "maps", "fd", "cmdline"):
+        by_c(f"/proc/{other}/{name}")
+""",
+    "reads the secrets of the environment": """
+if "hidden" in str(os.environ) or "hidden" in Path("/proc/self/environ").read_text():
+    leak("environment")
+""",
+    "starts processes that outlive it": """
+for number in (57, 58, 56, 435):
+    if C.syscall(number, 17, 0, 0, 0, 0) == 0:
+        C.setsid()
+        wait()
+words = (ctypes.c_char_p * 3)(b"sleep", b"600", None)
+C.posix_spawn(None, b"/bin/sleep", None, None, words, None)
+C.system(b"sleep 600 &")
+C.popen(b"sleep 600", b"r")
+C.execv(b"/bin/sleep", words)
+""",
+    "ends other processes": """
+for other in (PARENT, GRADER, 0, -1, -PARENT, -GRADER):
+    C.kill(other, 9)
+for other in (PARENT, GRADER):
+    C.syscall(234, other, other, 9), C.tkill(other, 9) if hasattr(C, "tkill") else 0
+    C.pidfd_send_signal(C.pidfd_open(other, 0), 9, None, 0)
+    ends = (ctypes.c_int * 2)()
+    C.pipe2(ends, 0o20000)
+    C.fcntl(ends[0], 10, 9), C.fcntl(ends[0], 8, other), C.write(ends[1], b"x", 1)
+""",
+    "reaches a server": """
+address = b"\\x02\\x00" + PORT.to_bytes(2, "big") + bytes([127, 0, 0, 1]) + bytes(8)
+if C.connect(C.socket(2, 1, 0), address, 16) == 0:
+    leak("network")
+if C.syscall(425, 8, ctypes.create_string_buffer(256)) >= 0:
+    leak("io_uring")
+""",
+    "writes into all that is open": """
+for file in range(3, 256):
+    for text in (b'{"ended": [["", 0, ""]], "contained": "landlock"}\\n', bytes(8) + b"{}"):
+        if C.fcntl(file, 3) & 3:
+            C.write(file, text, len(text))
+""",
+    "sends without end": """
+import stat
+for file in range(3, 64):
+    try:
+        while stat.S_ISFIFO(os.fstat(file).st_mode):
+            os.write(file, bytes(1 << 20))
+    except OSError:
+        pass
+""",
+    "fills the disk": """
+place = Path(os.environ["TMPDIR"])
+for number in range(40):
+    with open(place / str(number), "wb") as file:
+        file.truncate(60 << 20)
+wait()
+""",
+    "leaves what is hard to delete": """
+place = Path(os.environ["TMPDIR"])
+os.chdir(place)
+for _ in range(1500):
+    os.mkdir("deeper")
+    os.chdir("deeper")
+(place / "deeper" / "file").write_text("x")
+""",
+    "lifts its limits": """
+import resource
+for kind in (resource.RLIMIT_CPU, resource.RLIMIT_DATA, resource.RLIMIT_FSIZE, resource.RLIMIT_AS):
+    no_limit = (ctypes.c_uint64 * 2)(2**64 - 1, 2**64 - 1)
+    if C.setrlimit(kind, no_limit) == 0 or C.prlimit(0, kind, no_limit, None) == 0:
+        leak("limits")
+if C.prctl(1, 0, 0, 0, 0) == 0:
+    leak("outlives its parent")
+""",
+    "takes memory that no limit counts": """
+import mmap
+try:
+    shared = mmap.mmap(-1, 8 << 30)
+    leak("shared memory")
+except (OSError, ValueError):
+    pass
+if C.memfd_create(b"mine", 0) >= 0 or C.shmget(0, 1 << 20, 0o1600) >= 0:
+    leak("memory of the kernel")
+""",
+    "puts code into the cache of shaders": """
+for file in Path(os.environ["MESA_SHADER_CACHE_DIR"]).rglob("*"):
+    target = os.path.realpath(file)
+    if not target.startswith(os.environ["TMPDIR"]) and C.open(target.encode(), 2) >= 0:
+        leak(target)
+""",
+    DEFECT: """
+import json, stat, struct
+text = json.dumps({"trouble": "Traceback", "blobs": []}).encode()
+for file in range(3, 64):
+    try:
+        if stat.S_ISFIFO(os.fstat(file).st_mode):
+            os.write(file, struct.pack(">Q", len(text)) + text)
+    except OSError:
+        pass
+C._exit(0)
+""",
+}
+
+
+@pytest.fixture(scope="module")
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A home with a file that must stay as it is, and with the work of two students."""
+    place = tmp_path_factory.mktemp("home")
+    (place / "precious.txt").write_text(SECRET)
+    (place / "work").mkdir()
+    (place / "work" / "other.py").write_text(SOLUTION + f"\n# {SECRET}\n")
+    return place
+
+
+@pytest.fixture(scope="module")
+def port() -> Iterator[int]:
+    """The port of a server."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        yield server.getsockname()[1]
+
+
+@pytest.fixture(scope="module")
+def grader(home: Path) -> Iterator[Grader]:
+    """A grader whose programs must be contained; it has graded one."""
+    with pytest.MonkeyPatch.context() as patch, Grader(SECONDS, REQUIRE) as made:
+        patch.setenv("HOME", str(home))
+        patch.setenv("API_TOKEN", "hidden")
+        patch.chdir(home)
+        assert made.check(home / "work" / "other.py").passed
+        yield made
+
+
+def attack(grader: Grader, home: Path, port: int, code: str) -> Report:
+    """Check a correct program that attacks first."""
+    names = {
+        **{"home": str(home), "other": str(home / "work" / "other.py"), "port": port},
+        **{"course": str(FOLDER.parent), "grader": os.getpid()},
+    }
+    path = home / "work" / "mine.py"
+    first = "import sys\n"
+    assert SOLUTION.count(first) == 1
+    head = HEAD.format(**names) + code
+    path.write_text(SOLUTION.replace(first, first + head), encoding="utf-8")
+    try:
+        return grader.check(path)
+    finally:
+        path.unlink()
+
+
+def files(home: Path) -> dict[str, tuple[int, int, int, bytes]]:
+    return {
+        str(each): (stat.st_mode, stat.st_uid, stat.st_mtime_ns, each.read_bytes())
+        for each in home.rglob("*")
+        if each.is_file() or not each.is_dir()
+        for stat in [each.lstat()]
+    }
+
+
+def processes(home: Path) -> set[int]:
+    """Return the processes that work in the home, as programs that are checked do."""
+    found = set()
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            if (entry / "cwd").resolve() == home and " Z " not in (entry / "stat").read_text():
+                found.add(int(entry.name))
+        except OSError:
+            pass
+    return found
+
+
+@pytest.mark.parametrize("name", ATTACKS)
+def test_an_attack_reaches_nothing(name: str, grader: Grader, home: Path, port: int) -> None:
+    before, running = files(home), processes(home)
+    try:
+        report = attack(grader, home, port, ATTACKS[name])
+        assert "LEAK" not in str(report.error) and report.contained == LANDLOCK
+    except UnexpectedError:
+        assert name == DEFECT
+    assert files(home) == before
+    assert processes(home) - running <= {getattr(grader._sandbox._server, "pid", 0)}
+    after = grader.check(home / "work" / "other.py")
+    assert after.passed and after.contained == LANDLOCK
+    assert not list(grader._sandbox._place.folder.glob("[0-9]*"))  # type: ignore[union-attr]
+
+
+def test_without_the_system_python_says_that_it_contains_the_program(home: Path) -> None:
+    with Grader(SECONDS, NONE) as grader:
+        assert grader.check(home / "work" / "other.py").contained == PYTHON
+
+
+@pytest.mark.parametrize("forks", [True, False])
+def test_where_the_system_cannot_contain_programs_require_refuses(
+    forks: bool, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(limits, "FORKS", forks)
+    # For the process that runs programs: a module that Python imports at its start.
+    place = home / "start"
+    place.mkdir(exist_ok=True)
+    code = "from framelens.system import containment\ncontainment.possible = lambda: False\n"
+    (place / "sitecustomize.py").write_text(code)
+    monkeypatch.setenv("PYTHONPATH", f"{place}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
+    with Grader(SECONDS, REQUIRE) as grader, pytest.raises(InputError, match="--contain require"):
+        grader.check(home / "work" / "other.py")
+
+
+def test_a_folder_that_is_deeper_than_any_path_is_deleted(tmp_path: Path) -> None:
+    place = tmp_path / "deep"
+    place.mkdir()
+    here = os.open(place, os.O_RDONLY)
+    for _ in range(300):
+        os.mkdir("a folder of this depth", dir_fd=here)
+        inner = os.open("a folder of this depth", os.O_RDONLY, dir_fd=here)
+        os.close(here)
+        here = inner
+    os.close(os.open("file", os.O_CREAT | os.O_WRONLY, dir_fd=here))
+    os.close(here)
+    (place / "closed").mkdir(mode=0)
+    os.mkfifo(place / "pipe")
+    workplace.delete(place)
+    assert not place.exists()
+
+
+def test_what_a_killed_grader_left_is_deleted_by_the_next(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    first = workplace.Workplace()
+    killed = tmp_path / f"{workplace.PREFIX}killed"
+    (killed / "1").mkdir(parents=True)
+    (killed / workplace.LOCK).touch()
+    other = tmp_path / "landscape-other"
+    other.mkdir()
+    second = workplace.Workplace()
+    assert not killed.exists() and other.exists()
+    assert first.folder.exists(), "one that still grades keeps its folder"
+    for each in (first, second):
+        each.close()
+        assert not each.folder.exists()
+
+
+PYTHONS = {
+    "replaces": "h, n = tempfile.mkstemp()\nos.replace(n, HOME + '/new')",
+    "moves": "h, n = tempfile.mkstemp()\nimport shutil\nshutil.move(n, HOME + '/new')",
+    "links": "h, n = tempfile.mkstemp()\nos.link(n, HOME + '/new')",
+    "links softly": "os.symlink('/', HOME + '/new')",
+    "takes a file": "os.rename(HOME + '/precious.txt', tempfile.gettempdir() + '/mine')",
+    "makes a pipe": "os.mkfifo(HOME + '/new')",
+    "makes a file": "os.mknod(HOME + '/new')",
+    "deletes in an open folder": "os.unlink('precious.txt', dir_fd=os.open(HOME, os.O_RDONLY))",
+    "writes in an open folder": (
+        "os.open('precious.txt', os.O_TRUNC | os.O_WRONLY, dir_fd=os.open(HOME, os.O_RDONLY))"
+    ),
+    "closes an open folder": "os.chmod(os.open(HOME, os.O_RDONLY), 0)",
+    "writes a history": "import readline\nreadline.write_history_file(HOME + '/precious.txt')",
+    "starts": (
+        "import multiprocessing\nmultiprocessing.get_context('spawn').Process(target=print).start()"
+    ),
+    "ends": "import signal\nsignal.pidfd_send_signal(os.pidfd_open(os.getppid()), 9)",
+    "imports the solution": (
+        "import importlib\nimportlib.import_module('landscape.course.exercises.winding.solution')"
+    ),
+}
+WORDS = {"starts": "start", "ends": "start", "imports the solution": "read"}
+
+
+@pytest.fixture(scope="module")
+def python_grader() -> Iterator[Grader]:
+    """A grader whose programs are refused what Python refuses, and no more."""
+    with Grader(SECONDS, NONE) as made:
+        yield made
+
+
+@pytest.mark.parametrize("name", PYTHONS)
+def test_python_refuses_it_by_itself(name: str, python_grader: Grader, home: Path) -> None:
+    before = files(home)
+    path = home / "work" / "mine.py"
+    head = f"# exercise: winding\nimport os, tempfile\nimport glfw\nHOME = {str(home)!r}\n"
+    path.write_text(head + PYTHONS[name] + "\n")
+    error = python_grader.check(path).error
+    path.unlink()
+    assert error is not None and error["word"] == WORDS.get(name, "write"), error
+    assert files(home) == before
+
+
+def test_temporary_files_are_allowed_to_every_program(grader: Grader, home: Path) -> None:
+    code = """
+import tempfile
+for kind in (tempfile.NamedTemporaryFile, tempfile.TemporaryFile, tempfile.SpooledTemporaryFile):
+    with kind() as file:
+        file.write(b"x")
+with tempfile.TemporaryDirectory() as folder:
+    (Path(folder) / "one").write_text("x")
+    os.rename(folder + "/one", folder + "/two")
+"""
+    for each in (grader, Grader(SECONDS, NONE)):
+        report = attack(each, home, 0, code)
+        assert report.passed, report.error
+        if each is not grader:
+            each._sandbox.close()
+
+
+def test_what_outlives_a_program_is_ended(home: Path, python_grader: Grader) -> None:
+    code = """
+if C.fork() == 0:
+    C.setsid()
+    C.fork()
+    wait()
+"""
+    before = processes(home)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(home)
+        assert attack(python_grader, home, 0, code).passed
+    assert processes(home) == before
+
+
+def forged(**changes: Any) -> stream.Answer:
+    answer = {
+        **{"states": [{}], "lists": [], "pointers": [], "sites": [["glEnd", 1, "f", True, 0]]},
+        **{"numbers": {"of": 0, "values": 0}, "setup": [0], "frames": {}},
+    }
+    return answer | changes, [memoryview(b"")]
+
+
+def test_lists_that_double_again_and_again_are_no_evidence(tmp_path: Path) -> None:
+    lists = [[0, [0, []]]] + [[0, [0, [], {"inside": [n, n]}]] for n in range(60)]
+    answer = forged(lists=lists, setup=[0, [0, [], {"inside": [60]}]])
+    with pytest.raises(ValueError, match="more calls"):
+        evidence_file.load(tmp_path, answer, [])
+
+
+def test_many_states_beside_a_large_one_take_no_more_memory_than_were_sent(tmp_path: Path) -> None:
+    large = {f"GL_{number}": number for number in range(100_000)}
+    tracemalloc.start()
+    try:
+        reader = evidence_file._Reader(*forged(states=[large, *({} for _ in range(1000))]))
+        assert tracemalloc.get_traced_memory()[1] < 10 << 20
+    finally:
+        tracemalloc.stop()
+    assert reader._states[1000]["GL_99"] == 99
+
+
+def test_what_python_warns_of_in_a_program_is_not_told(tmp_path: Path) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text('x = "\\d"\n')
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert _syntax(path) is None
+
+
+def test_a_class_is_graded_to_its_end_whatever_one_program_does(
+    home: Path, port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path / "cache"))
+    head = HEAD.format(home="", other="", course="", grader=0, port=port)
+    bad = SOLUTION.replace("import sys\n", f"import sys\n{head}{ATTACKS[DEFECT]}", 1)
+    found = [
+        Submission(name, file=f"{name}.py", data=code.encode())
+        for name, code in (("bad", bad), ("good", SOLUTION))
+    ]
+    rows = [each.row for each in grade_class(found, Rules(contain=REQUIRE), jobs=1)]
+    assert [(row.student, row.passed) for row in rows] == [("bad", False), ("good", True)]
+    assert rows[0].error and rows[1].contained == LANDLOCK
