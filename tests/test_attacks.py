@@ -427,7 +427,7 @@ if C.fork() == 0:
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(home)
         assert attack(python_grader, home, 0, code).passed
-    assert processes(home) == before
+    assert processes(home) - before <= {getattr(python_grader._sandbox._server, "pid", 0)}
 
 
 def forged(**changes: Any) -> stream.Answer:
