@@ -30,9 +30,9 @@ DEVICES = (
 
 def possible() -> bool:
     """Return whether :func:`confine` may work here."""
-    if sys.platform != "linux":
-        return False
-    return landlock.version() > 0 and seccomp.known_machine()
+    if sys.platform == "linux":
+        return landlock.version() > 0 and seccomp.known_machine()
+    return False
 
 
 def confine(readable: Iterable[str], listed: Iterable[str], writable: Iterable[str]) -> None:
@@ -43,11 +43,12 @@ def confine(readable: Iterable[str], listed: Iterable[str], writable: Iterable[s
     process, no network, no right to change, and none of this can be taken back. OSError if the
     system cannot do it; then some of it may hold.
     """
-    if sys.platform != "linux":
+    if sys.platform == "linux":
+        rules = [(path, landlock.READING) for path in ("/proc/self", *readable)]
+        rules += [(path, landlock.LISTING) for path in listed]
+        rules += [(path, landlock.WRITING) for path in writable]
+        rules += [(path, landlock.DEVICE) for path in DEVICES]
+        landlock.restrict(rules)
+        seccomp.restrict()
+    else:
         raise OSError(errno.ENOSYS, "this system has nothing of the kind")
-    rules = [(path, landlock.READING) for path in ("/proc/self", *readable)]
-    rules += [(path, landlock.LISTING) for path in listed]
-    rules += [(path, landlock.WRITING) for path in writable]
-    rules += [(path, landlock.DEVICE) for path in DEVICES]
-    landlock.restrict(rules)
-    seccomp.restrict()

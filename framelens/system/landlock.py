@@ -9,7 +9,10 @@ import ctypes
 import errno
 import os
 import struct
+import sys
 from collections.abc import Iterable
+
+assert sys.platform == "linux"
 
 # The same numbers on every processor.
 CREATE_RULESET, ADD_RULE, RESTRICT_SELF = 444, 445, 446

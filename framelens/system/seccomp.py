@@ -16,6 +16,8 @@ import platform
 import struct
 import sys
 
+assert sys.platform == "linux"
+
 NO_NEW_PRIVILEGES, SET_SECCOMP, FILTER = 38, 22, 2  # of prctl(2)
 
 # By the machine: the kernel's number for it, and the column of the tables below.
