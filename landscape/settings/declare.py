@@ -350,10 +350,13 @@ def _number(
 ) -> int | float:
     """Return a user's value as a number of a kind; raise ``wrong`` if it is none, or too large."""
     value = plain(value)
-    if isinstance(value, bool) or not isinstance(value, (str, int, float)):
+    if isinstance(value, bool) or not isinstance(value, (str, Real)):
         raise wrong
     try:
-        number = kind(value.replace("_", "") if isinstance(value, str) else value)
+        if isinstance(value, str):
+            number = kind(value.replace("_", ""))
+        else:
+            number = kind(value if isinstance(value, int) else float(value))
     except (TypeError, ValueError, OverflowError):
         raise wrong from None
     if kind is int and not isinstance(value, str) and number != value:
