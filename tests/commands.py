@@ -61,7 +61,8 @@ def environment(**changes: str | None) -> dict[str, str]:
 
     On Windows there is always a display; Wine shows it on that of an X server.
     """
-    left_out = ["PYOPENGL_PLATFORM", "LANDSCAPE_GL_CHECKS"]
+    # Pytest names the running test; a process started for one test serves others.
+    left_out = ["PYOPENGL_PLATFORM", "LANDSCAPE_GL_CHECKS", "PYTEST_CURRENT_TEST"]
     if sys.platform != "win32":
         # By XDG_SESSION_TYPE GLFW decides which of two window systems it takes.
         left_out += ["DISPLAY", "WAYLAND_DISPLAY", "XDG_SESSION_TYPE"]
