@@ -1,6 +1,7 @@
 """Commands and code run in copies of one process that has imported the program.
 
 Each copy is a process of its own, with its own status, streams and end, and ends as Python ends.
+It knows the command line by which it could be started anew.
 Only the time to import the program, numpy and Pillow is spent once; OpenGL is not imported before
 the copy does so itself, as its platform must be chosen first.
 """
@@ -28,7 +29,11 @@ LATER = {
     "LANG",
     "LANGUAGE",
     "LANDSCAPE_CACHE",
+    "LIBGL_ALWAYS_SOFTWARE",
     "MESA_GL_VERSION_OVERRIDE",
+    "PYOPENGL_USE_ACCELERATE",
+    "XDG_DATA_DIRS",
+    "XDG_DATA_HOME",
     "GALLIVM_PERF",
 }
 
@@ -67,6 +72,7 @@ os.environ.clear()
 os.environ.update(env)
 sys.path[1:1] = [path for path in env["PYTHONPATH"].split(":") if path not in sys.path]
 sys.argv = ["-c" if code else "landscape", *words]
+sys.orig_argv = [sys.executable, *(("-c", code) if code else ("-m", "landscape")), *words]
 if code:
     exec(compile(code, "<string>", "exec"), {"__name__": "__main__"})
 else:

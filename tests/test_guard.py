@@ -45,11 +45,8 @@ limits.FORKS = limits.FORKS and sys.argv[3] == "copied"
 sys.argv[1:] = sys.argv[4:]
 sys.exit(main())
 """
-# The program's process is a copy of the command's, or the command is started once more. The tests'
-# own server of copies cannot do that: a variable of Python keeps it out.
-WAYS = {"copied": {}, "started": {"PYTHONDONTWRITEBYTECODE": ""}}
-if not hasattr(os, "fork"):
-    del WAYS["copied"]
+# The program's process is a copy of the command's, or the command is started once more.
+WAYS = ("copied", "started") if hasattr(os, "fork") else ("started",)
 both_ways = pytest.mark.parametrize("way", WAYS)
 
 
@@ -57,7 +54,7 @@ def run(tmp_path: Path, rest: str, limits: tuple[str, str] = ("15", "5"), way="s
     path = tmp_path / "program.py"
     path.write_text(BEGIN + textwrap.dedent(rest))
     words = (*limits, way, "state", str(path), "--json")
-    return python(RUN, *words, env=environment(**WAYS[way]))
+    return python(RUN, *words)
 
 
 # What systems call it, and say of it.
@@ -142,7 +139,7 @@ def test_a_program_reads_the_commands_input_and_has_arguments_of_its_own(
         input="3\nmore\n",
         capture_output=True,
         text=True,
-        env=environment(**WAYS[way]),
+        env=environment(),
     )
     assert done.stdout.count("glPushMatrix()") == 3
     assert done.stderr.splitlines()[0] == "how many? ['--frame', '9'] more"
@@ -225,7 +222,7 @@ def test_a_defect_of_a_tool_says_what_and_where_and_prints_no_half_json(
 ) -> None:
     (tmp_path / "program.py").write_text(BEGIN + SHOW)
     path = tmp_path / target if target.endswith(".py") else target
-    done = python(DEFECT, way, "trace", str(path), "--json", env=environment(**WAYS[way]))
+    done = python(DEFECT, way, "trace", str(path), "--json")
     first, *details = done.err.splitlines()
     assert (done.status, done.out) == (UNEXPECTED, "")
     assert re.fullmatch(r"landscape: a defect .*: ZeroDivisionError: .* in .*, line \d+", first)

@@ -17,6 +17,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 from typing import NoReturn, Protocol
 
 from framelens.base.errors import UNEXPECTED, InputError, say_unexpected
@@ -31,7 +32,7 @@ PAUSE = 0.01  # chosen: seconds between two looks at the process
 SOON = 0.3  # chosen: seconds in which a process ends that Ctrl-C has reached, too
 SHORT_ARRAY = "where an array is shorter than it was told"  # how OpenGL crashes
 # Tells a command that it was started as the program's own process: the parent's number, and the
-# file of _shared.
+# file that both share.
 VARIABLE = "LANDSCAPE_GUARDED"
 # What both processes see: when the program's will be ended if it has spent so many seconds of the
 # processor, and when in any case; and whether it ended by itself.
@@ -39,11 +40,25 @@ SHARED = struct.Struct("ddd?")
 
 _now = time.monotonic  # the true clock, the same in both processes
 _spent = time.thread_time
-_shared: mmap.mmap = mmap.mmap(-1, SHARED.size)
-_alone = False  # whether this process is the program's own
-_reserve = b""  # memory for what is done when the program has none left
-_most: int | None = None  # bytes that the process may have while the program goes on
-_given = MEMORY  # bytes that the program may take
+
+
+def _memory() -> mmap.mmap:
+    """Return SHARED in memory that this process shares with its copies."""
+    return mmap.mmap(-1, SHARED.size)
+
+
+@dataclass
+class _Process:
+    """What this process knows: the command's, or the program's own."""
+
+    shared: mmap.mmap = field(default_factory=_memory)  # SHARED, seen by both processes
+    alone: bool = False  # whether it is the program's own
+    reserve: bytes = b""  # memory for what is done when the program has none left
+    most: int | None = None  # bytes that it may have while the program goes on
+    program: int = MEMORY  # bytes that the program may take
+
+
+_process = _Process()
 
 
 def guarded(path: str, work: Callable[[], int]) -> int:
@@ -61,6 +76,7 @@ def guarded(path: str, work: Callable[[], int]) -> int:
 
         own = limits.children()
         limits.adopt_orphans()
+        _process.shared = _memory()
         child = copy()
         if child is None:
             _work_alone(work)
@@ -74,8 +90,7 @@ def guarded(path: str, work: Callable[[], int]) -> int:
 
 def _work_alone(work: Callable[[], int]) -> NoReturn:
     """Do the work in the program's own process, and end that."""
-    global _alone
-    _alone = True
+    _process.alone = True
     limits.limit_memory(None)
     _print_apart()
     status = UNEXPECTED
@@ -98,31 +113,29 @@ def go_on(seconds: float, memory: int = 0, wait: float = 0.0) -> None:
     It may take so many bytes of memory; 0 is without limit. Where it may ``wait`` for longer, the
     seconds are those of the processor, for its main thread.
     """
-    global _given, _most, _reserve
-    if not _alone:
+    if not _process.alone:
         return
     first = _now() + seconds + GRACE
     _share(first, _spent() + seconds + GRACE, max(first, _now() + wait + GRACE))
     if memory:
-        _reserve = _reserve or bytes(RESERVE)
-        if _most is None:
-            _most = limits.used() + memory
-            _given = memory
-        limits.limit_memory(_most)
+        _process.reserve = _process.reserve or bytes(RESERVE)
+        if _process.most is None:
+            _process.most = limits.used() + memory
+            _process.program = memory
+        limits.limit_memory(_process.most)
 
 
 def stand_by() -> None:
     """Say that the program waits or has ended: nothing is limited."""
-    global _reserve
-    _reserve = b""
-    if _alone:
+    _process.reserve = b""
+    if _process.alone:
         _share(0.0)
         limits.limit_memory(None)
 
 
 def memory() -> str:
     """Return the limit in words, for a program that has run out of memory."""
-    return f" (it may take {_given >> 20} MB)" if _alone else ""
+    return f" (it may take {_process.program >> 20} MB)" if _process.alone else ""
 
 
 def _share(deadline: float, spent: float = 0.0, last: float = 0.0, ended: bool = False) -> None:
@@ -130,7 +143,7 @@ def _share(deadline: float, spent: float = 0.0, last: float = 0.0, ended: bool =
 
     From the deadline on it is if its main thread has spent so many seconds, and at ``last``.
     """
-    _shared[:] = SHARED.pack(deadline, spent, last, ended)
+    _process.shared[:] = SHARED.pack(deadline, spent, last, ended)
 
 
 def _print_apart() -> None:
@@ -145,10 +158,9 @@ def _print_apart() -> None:
 @contextmanager
 def _started() -> Iterator["subprocess.Popen[bytes]"]:
     """Start this command once more, as the program's own process."""
-    global _shared
     with tempfile.TemporaryDirectory(prefix="landscape-") as folder:
         file = os.path.join(folder, "shared")
-        _shared = _mapped(file)
+        _process.shared = _mapped(file)
         try:
             with subprocess.Popen(
                 [sys.executable, *sys.orig_argv[1:]],
@@ -156,7 +168,7 @@ def _started() -> Iterator["subprocess.Popen[bytes]"]:
             ) as process:
                 yield process
         finally:
-            _shared.close()  # Windows deletes no file that is mapped
+            _process.shared.close()  # Windows deletes no file that is mapped
 
 
 def _mapped(file: str) -> mmap.mmap:
@@ -171,10 +183,9 @@ def _mapped(file: str) -> mmap.mmap:
 
 def _join(parent: str) -> None:
     """Let this process run the program; ``parent`` is the value of VARIABLE."""
-    global _shared
     number, _, file = parent.partition(" ")
     limits.end_with(int(number))
-    _shared = _mapped(file)
+    _process.shared = _mapped(file)
 
 
 class _Child(Protocol):
@@ -214,7 +225,7 @@ def _await(child: _Child, path: str) -> int:
 
     if late:
         raise InputError("{path}: was ended within one call that nothing can interrupt", path=path)
-    if SHARED.unpack(_shared[:])[-1]:
+    if SHARED.unpack(_process.shared[:])[-1]:
         return status
     crash = limits.crash(status)
     if crash == limits.KILLED:
@@ -261,7 +272,7 @@ def _watch(child: _Child, asked: list[float]) -> tuple[int, bool]:
         if asked and _now() > asked[0] + SOON:
             asked.clear()
             _pass_on(child)
-        deadline, spent, last, _ = SHARED.unpack(_shared[:])
+        deadline, spent, last, _ = SHARED.unpack(_process.shared[:])
         due = deadline and _now() > deadline and not late
         if due and (_now() > last or limits.thread_time(child.pid) > spent):
             late = True
