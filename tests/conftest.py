@@ -36,6 +36,7 @@ from copies import copies
 from gl_state import changes, snapshot
 from hall_pictures import HallPictures
 from stage import Stage, write_plain
+from sweeps import Todays, of_day
 
 from framelens.base.errors import NoOpenGLError
 from framelens.gl.context import Context, open_context
@@ -87,8 +88,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         leave_out(
             config, items, [item for item in items if item.get_closest_marker("windows_only")]
         )
-    if not names_cases(config) and not config.getoption("--all"):
+    if not runs_all(config):
         leave_out(config, items, not_today(items, int(os.environ["LANDSCAPE_TESTS_DAY"])))
+
+
+def runs_all(config: pytest.Config) -> bool:
+    """Return whether every case is run: all are asked for, or those that are to be run are named."""
+    return config.getoption("--all") or names_cases(config)
 
 
 def not_today(items: list[pytest.Item], day: int) -> list[pytest.Item]:
@@ -111,9 +117,8 @@ def not_today(items: list[pytest.Item], day: int) -> list[pytest.Item]:
     for family in families.values():
         marker = family[0].get_closest_marker("sweep")
         assert marker is not None
-        every = min(marker.args[0], len(family))
-        first = (marker.kwargs.get("first", 0) + day) % every
-        rest += [item for number, item in enumerate(family) if number % every != first]
+        chosen = {id(item) for item in of_day(family, day, marker.args[0], **marker.kwargs)}
+        rest += [item for item in family if id(item) not in chosen]
     return rest
 
 
@@ -123,6 +128,15 @@ def leave_out(config: pytest.Config, items: list[pytest.Item], unwanted: list[py
         gone = {*unwanted}
         config.hook.pytest_deselected(items=unwanted)
         items[:] = [item for item in items if item not in gone]
+
+
+@pytest.fixture
+def todays(pytestconfig: pytest.Config) -> Todays:
+    """Chooses the cases for this day inside a test, as `sweep` does among tests."""
+    if runs_all(pytestconfig):
+        return lambda cases, every, first=0: list(cases)
+    day = int(os.environ["LANDSCAPE_TESTS_DAY"])
+    return lambda cases, every, first=0: of_day(cases, day, every, first)
 
 
 @pytest.fixture(scope="session")

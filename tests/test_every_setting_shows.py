@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 from flat_land import flat
+from other_values import FEW, another
 from stage import SIZE, Stage, small
-from test_apply import FEW, another
 
 from framelens.gl.seam import Call, recording
 from landscape.elements.settings import BEST, PRESETS, Settings

@@ -5,8 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gl_state import changes, snapshot
-from stage import SIZE, Stage, live_names
+from stage import SIZE, Stage
 from state_calls import Fresh
 
 from framelens.gl import extensions
@@ -220,22 +219,3 @@ def test_with_too_few_texture_units_the_pool_is_drawn_without_caustics(
         hall.release()
         assert (pictures[0] == pictures[1]).all()
     assert capsys.readouterr().err.count("landscape: caustics: off, for it needs 2 texture") == 1
-
-
-@pytest.mark.parametrize(
-    "changed",
-    [{}, {"caustics.passes": "one"}, {"caustics.planes": "eye_before_camera"}],
-    ids=["two passes", "one pass", "planes of the eye"],
-)
-def test_pool_and_caustics_leave_the_state_as_found(stage: Stage, changed: dict[str, Any]) -> None:
-    settings = with_settings(SCENE.settings, changed)
-    names = live_names()
-    hall = Hall(settings, Assets(), 0, ("room", "caustics", "pool"))
-    with stage.borrowed():
-        begin_frame(Moment(OVER_POOL, SIZE), settings.camera, settings.sun, settings.fog)
-        before = snapshot()
-        hall.draw(Moment(OVER_POOL, SIZE, KT))
-        assert not changes(before, snapshot())
-    hall.release()
-    hall.release()
-    assert live_names() == names

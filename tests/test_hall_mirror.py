@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gl_state import changes, snapshot
 from hall_pictures import HallPictures
 from stage import SIZE, Stage
 
@@ -17,7 +16,7 @@ from landscape.frame import Pose
 from landscape.hall import plan
 from landscape.hall.hall import SCENE, Hall
 from landscape.hall.mirror import FADES, FLOOR, GRAZING, UNDERSIDE, fading, reflectance
-from landscape.scene.scene import Moment, begin_frame
+from landscape.scene.scene import Moment
 from landscape.settings.declare import with_settings
 
 PERFECT: dict[str, Any] = {"mirror.strength": 1.0, "mirror.fades": False}
@@ -194,20 +193,6 @@ def test_from_below_the_floor_has_a_colour_of_its_own_and_no_image(stage, halls)
     assert np.abs(picture[60, 80] - np.array(UNDERSIDE) * 255).max() <= 1
     without, _ = drawn(stage, halls, BELOW, {"mirror.underside": False})
     assert difference(picture, without).max() > 20, "nothing hides the hall"
-
-
-def test_the_mirror_leaves_the_state_as_a_frame_begins_it(stage, halls) -> None:
-    for changed in ({}, {"mirror.fresnel": False}, {"mirror.stencil": False}):
-        drawn(stage, halls, NAVE, changed)
-        hall = halls[*STONE, "statue"]
-        values = hall.settings
-        with stage.borrowed():
-            begin_frame(Moment(NAVE, SIZE), values.camera, values.sun, values.fog)
-            before = snapshot()
-            for pose in (NAVE, BELOW):
-                hall.draw(Moment(pose, SIZE))
-                begin_frame(Moment(NAVE, SIZE), values.camera, values.sun, values.fog)
-                assert not changes(before, snapshot())
 
 
 def test_the_image_is_a_pass_of_its_own_that_a_trace_names(stage, halls) -> None:

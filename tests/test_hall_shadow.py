@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gl_state import changes, snapshot
 from PIL import Image, ImageDraw
 from stage import SIZE, Stage, project
 
@@ -309,22 +308,6 @@ def test_the_shadow_on_the_wall_shows_in_the_floor_s_mirror_image(stage, hall) -
     plain, dark = (picture[floor] for picture in pictures)
     assert (dark < plain * 0.3 - 1).all(axis=2).sum() > 300
     assert (dark >= plain * 0.25 - 1.5).all(), "by the wall's shadow and by the floor's, once each"
-
-
-def test_the_shadows_leave_the_state_as_a_frame_begins_it(stage, hall) -> None:
-    for changed in (
-        {},
-        {"shadow.light": "both", "mirror.enabled": True},
-        {"shadow.stencil": False},
-        {"shadow.lamp": 0.02, "shadow.casters": "all", "shadow.shine": 1.0},
-    ):
-        drawn(stage, hall, AT_WALL, changed)
-        values = hall.settings
-        with stage.borrowed():
-            begin_frame(Moment(AT_WALL, SIZE), values.camera, values.sun, values.fog)
-            before = snapshot()
-            hall.draw(Moment(AT_WALL, SIZE))
-            assert not changes(before, snapshot())
 
 
 def test_a_trace_names_the_shadow_s_calls(stage, hall) -> None:

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gl_state import changes, snapshot
 from stage import SIZE, Stage
 
 from landscape.elements.sun import direction
@@ -26,7 +25,7 @@ from landscape.hall.shafts import sheets
 from landscape.hall.shapes import turned
 from landscape.hall.surfaces import Surface, cells, charts, fractions, needed, normals
 from landscape.hall.torches import flames, halos, torches
-from landscape.scene.scene import Moment, begin_frame
+from landscape.scene.scene import Moment
 from landscape.settings.declare import with_settings
 
 SUN = direction(Settings().sun).astype(float)
@@ -324,16 +323,6 @@ def test_flames_and_shafts_add_light_and_their_settings_take_it_away(stage, open
     assert 0 < (bare != plain).any(axis=2).mean() < (glowing != plain).any(axis=2).mean()
     turned = drawn(stage, opened, "room", "floor", "torches", torches_glow=0.0, torches_faces=False)
     assert (turned != bare).any()
-
-
-def test_room_flames_and_shafts_leave_the_state_as_a_frame_begins_it(stage, opened) -> None:
-    drawn(stage, opened, *SHOWN)
-    values = opened.settings
-    with stage.borrowed():
-        begin_frame(Moment(FROM_DOOR, SIZE), values.camera, values.sun, values.fog)
-        before = snapshot()
-        opened.draw(Moment(FROM_DOOR, SIZE))
-        assert not changes(before, snapshot())
 
 
 @pytest.mark.parametrize("tolerance", LEVELS)

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from test_apply import another
+from other_values import another
 
 from landscape.elements.element import Element
 from landscape.elements.settings import Settings, preset

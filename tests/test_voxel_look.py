@@ -5,10 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from stage import Stage
 
 from framelens.gl.seam import recording
 from landscape.elements.settings import Sun
+from landscape.files.assets import Assets
+from landscape.frame import Pose
 from landscape.offscreen import Offscreen
+from landscape.scene.scene import Moment
+from landscape.settings.declare import with_settings
 from landscape.voxel.blocks import block
 from landscape.voxel.build import look, meshed, slope_light
 from landscape.voxel.heights import Heights
@@ -17,7 +22,7 @@ from landscape.voxel.models import castle as castles
 from landscape.voxel.models.castle_keep import HALL, KEEP
 from landscape.voxel.models.paths import UNEVEN, WIDE, ways, worn
 from landscape.voxel.sky import sky_colours
-from landscape.voxel.voxel import SCENE
+from landscape.voxel.voxel import SCENE, Voxel
 from landscape.voxel.water import finer, glint_colour
 from landscape.voxel.water_images import MIRRORED_BELOW
 from landscape.voxel.world import World
@@ -178,3 +183,32 @@ def test_land_is_drawn_with_the_alpha_test_only_where_leaves_have_holes(shore: O
         replace(shore.scene.settings, voxel=replace(shore.scene.settings.voxel, holes=False))
     )
     assert not tested()
+
+
+def test_another_time_of_day_is_applied_to_the_open_island_and_looks_as_if_opened_in_it(
+    stage: Stage,
+) -> None:
+    few = {"voxel.regions": 6, "voxel.region_size": 20, "shadow.size": 128}
+    noon, sunset = (with_settings(SCENE.settings, {**few, "time": t}) for t in ("noon", "sunset"))
+    shore = Moment(Pose(4.8, 1.3, 9.3, 0.0, -12.0), stage.size, 12.0, 3.0, 2)
+    pictures = []
+    with stage.borrowed():
+
+        def drawn(island: Voxel) -> None:
+            island.draw(shore)
+            pictures.append(stage.read())
+
+        island = Voxel(noon, Assets(), 0, SCENE.elements)
+        drawn(island)
+        for values in (sunset, noon):
+            assert island.apply(values)
+            drawn(island)
+        island.release()
+        island = Voxel(sunset, Assets(), 0, SCENE.elements)
+        drawn(island)
+        island.release()
+    at_noon, applied, again, fresh = pictures
+    assert (at_noon == again).all()
+    # The light of slopes is multiplied into colours that are rounded, twice.
+    assert (np.abs(applied - fresh).max(axis=-1) > 4).mean() < 0.02
+    assert (np.abs(applied - at_noon).max(axis=-1) > 20).mean() > 0.3
