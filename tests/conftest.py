@@ -130,7 +130,7 @@ def leave_out(config: pytest.Config, items: list[pytest.Item], unwanted: list[py
         items[:] = [item for item in items if item not in gone]
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def todays(pytestconfig: pytest.Config) -> Todays:
     """Chooses the cases for this day inside a test, as `sweep` does among tests."""
     if runs_all(pytestconfig):
@@ -177,13 +177,19 @@ def shell(the_shell: Shell) -> Shell:
     return the_shell
 
 
-@pytest.fixture(scope="module")
-def hall_pictures(the_stage: Stage) -> Iterator[HallPictures]:
-    """Draws the hall; the test must not use the state of OpenGL itself."""
-    the_stage.enter()
+@pytest.fixture(scope="session")
+def the_hall_pictures(the_stage: Stage) -> Iterator[HallPictures]:
+    """Draws the hall, which stays open from one module of tests to the next."""
     pictures = HallPictures(the_stage)
     yield pictures
     pictures.release()
+
+
+@pytest.fixture
+def hall_pictures(the_stage: Stage, the_hall_pictures: HallPictures) -> HallPictures:
+    """Draws the hall; the test must not use the state of OpenGL itself."""
+    the_stage.enter()
+    return the_hall_pictures
 
 
 @pytest.fixture

@@ -1,4 +1,7 @@
-"""Pictures of the hall with some settings changed; it is opened once for each set of elements."""
+"""Pictures of the hall with some settings changed; it is opened once for each set of elements.
+
+Of those, the ones used last stay open for the tests that follow.
+"""
 
 from typing import Any
 
@@ -10,10 +13,13 @@ from framelens.gl.seam import gl
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.hall.hall import SCENE, Hall
+from landscape.hall.settings import Settings
+from landscape.offscreen import baked_alike
 from landscape.scene.scene import Moment, placed
 from landscape.settings.declare import with_settings
 
 SIZE = (120, 90)
+MOST = 3  # halls that are open at a time
 
 
 class HallPictures:
@@ -37,15 +43,25 @@ class HallPictures:
         pose = SCENE.views[where].pose if isinstance(where, str) else where
 
         with self.stage.borrowed():
-            hall = self.halls.get(only)
-            if hall is None or not hall.apply(values):
-                if hall is not None:
-                    hall.release()
-                hall = self.halls[only] = Hall(values, Assets(), 0, only)
+            hall = self._opened(values, only)
             pose = placed(pose, hall, values.walk.eye)
             hall.draw(Moment(pose, SIZE, kt, wireframe=wireframe))
             gl.glFinish()
             return read_pixels(SIZE).astype(np.int16)
+
+    def _opened(self, values: Settings, only: tuple[str, ...]) -> Hall:
+        """Return a hall with these settings, the last of those that are open."""
+        hall = self.halls.pop(only, None)
+        alike = hall is not None and baked_alike(SCENE, hall.settings, values)
+        if hall is None or not alike or not hall.apply(values):
+            if hall is not None:
+                hall.release()
+            elif len(self.halls) == MOST:
+                self.halls.pop(next(iter(self.halls))).release()
+            hall = Hall(values, Assets(), 0, only)
+        hall.shown = set(only)
+        self.halls[only] = hall
+        return hall
 
     def release(self) -> None:
         """Release the halls."""

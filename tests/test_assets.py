@@ -41,6 +41,7 @@ def studio() -> Any:
 # ---- the shipped assets -----------------------------------------------------------------------
 
 
+@pytest.mark.seldom(2)
 def test_the_shipped_assets_pass_every_check() -> None:
     found = list(check())
     assert len(found) > 90

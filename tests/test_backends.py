@@ -132,12 +132,14 @@ def check_same(kind: str, env: dict[str, str], reference: dict[str, str]) -> Non
     assert found == reference
 
 
+@pytest.mark.seldom(2)
 def test_egl_without_a_surface_gives_the_same_pixels(reference: dict[str, str]) -> None:
     need_library("EGL")
     check_same("egl", environment(), reference)
 
 
 @pytest.mark.window
+@pytest.mark.seldom(2, first=1)
 def test_a_hidden_window_gives_the_same_pixels(
     reference: dict[str, str], screen: dict[str, str]
 ) -> None:
@@ -146,6 +148,7 @@ def test_a_hidden_window_gives_the_same_pixels(
 
 @pytest.mark.window
 @pytest.mark.parametrize(("backend", "library"), [("osmesa", "OSMesa"), ("egl", "EGL")])
+@pytest.mark.sweep(2)
 def test_the_null_platform_of_glfw_gives_the_same_pixels(
     backend: str, library: str, reference: dict[str, str]
 ) -> None:
@@ -153,11 +156,13 @@ def test_the_null_platform_of_glfw_gives_the_same_pixels(
     check_same(f"null {backend}", environment(), reference)
 
 
+@pytest.mark.seldom(2, first=1)
 def test_software_asked_for_gives_the_same_pixels(reference: dict[str, str]) -> None:
     check_same("software", environment(), reference)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="EGL stands in for macOS's CGL on Linux")
+@pytest.mark.seldom(2)
 def test_a_context_without_a_framebuffer_of_its_own_gives_the_same_pixels(
     reference: dict[str, str],
 ) -> None:
@@ -166,6 +171,7 @@ def test_a_context_without_a_framebuffer_of_its_own_gives_the_same_pixels(
 
 
 @pytest.mark.window
+@pytest.mark.seldom(2)
 def test_render_in_a_hidden_window_writes_the_same_file(
     tmp_path: Path, screen: dict[str, str]
 ) -> None:
@@ -338,6 +344,7 @@ def test_doctor_finds_the_glfw_backend_if_there_is_a_display(screen: dict[str, s
     assert landscape("doctor", "--json", env=screen).json()["backends"]["glfw"]["ok"]
 
 
+@pytest.mark.seldom(2, first=1)
 def test_doctor_prints_one_line_per_backend() -> None:
     done = landscape("doctor")
     assert done.status == 0 and done.err == ""

@@ -59,6 +59,7 @@ def result() -> dict[str, Any]:
     return answer
 
 
+@pytest.mark.seldom(2, first=1)
 def test_the_bench_returns_the_documented_values(result: dict[str, Any]) -> None:
     figures = result["result"]
     assert figures.keys() >= {"renderer", "size", "layer_ms", "views", "grass", "startup_ms"}
@@ -75,6 +76,7 @@ def test_the_bench_returns_the_documented_values(result: dict[str, Any]) -> None
     assert [way["name"] for way in figures["ways"]] == [way.name for way in WAYS]
 
 
+@pytest.mark.seldom(2, first=1)
 def test_the_ratios_follow_from_the_times(result: dict[str, Any]) -> None:
     figures = result["result"]
     assert figures["layer_ms"] > 0
@@ -86,6 +88,7 @@ def test_the_ratios_follow_from_the_times(result: dict[str, Any]) -> None:
     assert figures["startup_ms"] > 100  # less than the interpreter with numpy: nothing was run
 
 
+@pytest.mark.seldom(2, first=1)
 def test_more_blades_on_more_land_have_the_same_density(result: dict[str, Any]) -> None:
     few, many = result["result"]["grass"]
     assert few["count"] < many["count"]
@@ -93,11 +96,13 @@ def test_more_blades_on_more_land_have_the_same_density(result: dict[str, Any]) 
     assert many["visible"] > 0
 
 
+@pytest.mark.seldom(2, first=1)
 def test_the_bench_reports_each_step(result: dict[str, Any]) -> None:
     assert len(result["heard"]) == bench.steps(bench.Options(**TINY))
     assert result["heard"][-1] == "start"
 
 
+@pytest.mark.seldom(2, first=1)
 def test_the_report_shows_every_view_and_value(result: dict[str, Any]) -> None:
     text = bench.report(result["result"])
     for word in ("fig35b", "fig35i", "400,000", "immediate mode", "first frame"):

@@ -100,6 +100,7 @@ def strolled(**changes) -> tuple[Plan, list[Tick]]:
 
 
 @pytest.mark.parametrize("jobs", [2, 3])
+@pytest.mark.sweep(2)
 def test_several_processes_draw_the_pixels_of_one_in_their_order(
     boards: None, tmp_path: Path, jobs: int
 ) -> None:

@@ -141,6 +141,7 @@ def test_a_forged_error_is_still_one_line(grader: Grader, tmp_path: Path) -> Non
         ),
     ],
 )
+@pytest.mark.sweep(2)
 def test_a_program_that_never_ends_is_ended(code: str, words: set[str], tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text(HEAD + code + "\n")

@@ -86,6 +86,7 @@ ENDS = {
 
 @both_ways
 @pytest.mark.parametrize("name", ENDS)
+@pytest.mark.sweep(3)
 def test_what_no_exception_can_end_ends_in_one_line(tmp_path: Path, name: str, way: str) -> None:
     rest, words = ENDS[name]
     limits = ("1", "0.3") if "was ended" in words else ("15", "5")
@@ -93,6 +94,7 @@ def test_what_no_exception_can_end_ends_in_one_line(tmp_path: Path, name: str, w
 
 
 @both_ways
+@pytest.mark.sweep(2, first=1)
 def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path, way: str) -> None:
     done = run(tmp_path, "glFlush()\nmuch = b'x' * (2 << 30)\n" + SHOW, way=way)
     assert done.status == 2
@@ -103,6 +105,7 @@ def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path
 
 
 @both_ways
+@pytest.mark.sweep(2)
 def test_what_a_program_prints_by_any_means_stays_out_of_the_output(
     tmp_path: Path, way: str
 ) -> None:
@@ -217,6 +220,7 @@ sys.exit(main())
 
 @both_ways
 @pytest.mark.parametrize("target", ["program.py", "fig35e"])
+@pytest.mark.sweep(2)
 def test_a_defect_of_a_tool_says_what_and_where_and_prints_no_half_json(
     tmp_path: Path, target: str, way: str
 ) -> None:

@@ -21,9 +21,9 @@ PLACES = ("hall", Pose(1.2, 0.15, 1.52, 270.0, 0.0), Pose(1.2, 0.15, 2.32, 270.0
 
 
 @pytest.fixture(scope="module")
-def whole(the_stage: Stage, hall_pictures: HallPictures) -> list[np.ndarray]:
+def whole(the_stage: Stage, the_hall_pictures: HallPictures) -> list[np.ndarray]:
     the_stage.enter()
-    return [hall_pictures(place) for place in PLACES]
+    return [the_hall_pictures(place) for place in PLACES]
 
 
 Draw = Callable[[], list[np.ndarray]]

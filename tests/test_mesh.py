@@ -152,6 +152,7 @@ def test_a_mesh_is_sent_by_one_draw_call_where_its_vertices_are(stage: Stage) ->
 
 
 @pytest.mark.parametrize("ending", ["obj", "stl", "off", "glb"])
+@pytest.mark.sweep(2)
 def test_other_formats_are_read_through_trimesh(tmp_path: Path, ending: str) -> None:
     import trimesh
 

@@ -72,6 +72,7 @@ BUILD = ["assets", "build", "-q", "--assets"]
 @pytest.mark.parametrize(
     ("words", "made"), [(RENDER, 1), (BUILD, 0)], ids=["render", "assets build"]
 )
+@pytest.mark.sweep(2)
 def test_workers_end_with_their_parent(
     words: list[str], made: int, ended_by: str, mark: str, tmp_path: Path
 ) -> None:

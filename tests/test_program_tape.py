@@ -25,6 +25,7 @@ def check(name: str, path: Path, *more: object) -> None:
 
 
 @pytest.mark.parametrize(("frame", "backend"), [(0, "auto"), (4, "egl")])
+@pytest.mark.sweep(2)
 def test_a_programs_frame_is_replayed_and_every_pixel_explained(frame: int, backend: str) -> None:
     if backend == "egl":
         need_library("EGL")

@@ -97,6 +97,7 @@ def view(request: pytest.FixtureRequest) -> Seen:
     return request.getfixturevalue(request.param)
 
 
+@pytest.mark.sweep(2)
 def test_the_last_picture_is_the_frame_and_nothing_is_changed_by_looking(view: Seen) -> None:
     for by, last in view.last.items():
         assert np.array_equal(color(last), view.frame), by
@@ -407,6 +408,7 @@ def test_the_command_writes_by_default_beside_the_user_and_refuses_what_it_does_
     assert len(list(tmp_path.iterdir())) == 1
 
 
+@pytest.mark.seldom(2)
 def test_osmesa_and_egl_give_the_same_sheet(tmp_path: Path) -> None:
     need_library("OSMesa", "EGL")
     common = ("--preset", "2006", "--only", "sky,trees", "--size", "80x60")

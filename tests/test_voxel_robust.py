@@ -232,6 +232,7 @@ def test_every_pass_leaves_the_state_as_a_frame_without_it_does(stage: Stage, na
     assert not found
 
 
+@pytest.mark.seldom(2, first=1)
 def test_a_large_world_whose_meshes_are_packed_looks_like_a_small_one(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

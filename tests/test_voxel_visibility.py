@@ -277,7 +277,7 @@ def any_sky(pose: Pose) -> np.ndarray:
     return np.asarray(sky.reshape(300, FINER, 400, FINER).any(axis=(1, 3)))
 
 
-@pytest.mark.sweep(25)
+@pytest.mark.sweep(14)
 @pytest.mark.parametrize("seed", range(25))
 def test_no_background_shows_through_level_ground_at_a_grazing_angle(
     merged_and_not: tuple[Offscreen, Offscreen], seed: int

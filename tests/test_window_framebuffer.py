@@ -97,6 +97,7 @@ def test_a_hidden_window_of_pygame_has_one_too(hidden) -> None:
 
 @pytest.mark.parametrize("backend", ["glfw", "cgl"])
 @pytest.mark.parametrize("name", ["triangle", "stencil_mirror", "shadow_map", "accumulation"])
+@pytest.mark.sweep(4)
 def test_a_lesson_has_the_picture_that_it_has_without_a_screen(
     hidden, backend: str, name: str, tmp_path: Path
 ) -> None:
