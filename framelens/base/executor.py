@@ -15,6 +15,7 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from itertools import islice
+from multiprocessing.context import SpawnProcess
 from typing import Generic, Protocol, TypeVar
 
 from framelens.base.errors import InputError
@@ -128,6 +129,25 @@ def _work(
     finally:
         with _task:
             _at_work = False
+
+
+def companion(work: Callable[..., None], *arguments: object) -> SpawnProcess:
+    """Start a process that does one thing beside this one, for as long as this one wants.
+
+    It is started anew, on one core, leaves Ctrl-C to this process and ends with it. For work that
+    is asked for many times a second; all other goes through an executor.
+    """
+    process = multiprocessing.get_context("spawn").Process(
+        target=_accompany, args=(work, *arguments), daemon=True
+    )
+    with one_core(), starting_workers():
+        process.start()
+    return process
+
+
+def _accompany(work: Callable[..., None], *arguments: object) -> None:
+    begin_worker()
+    work(*arguments)
 
 
 def executor(jobs: int) -> Executor:

@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from typing import NoReturn, Protocol
 
 from framelens.base.errors import UNEXPECTED, InputError, say_unexpected
+from framelens.base.isolated import started
 from framelens.system import limits
 
 GRACE = 2.0  # chosen: seconds that a program has to end by itself, once its time is over
@@ -162,10 +163,8 @@ def _started() -> Iterator["subprocess.Popen[bytes]"]:
         file = os.path.join(folder, "shared")
         _process.shared = _mapped(file)
         try:
-            with subprocess.Popen(
-                [sys.executable, *sys.orig_argv[1:]],
-                env={**os.environ, VARIABLE: f"{os.getpid()} {file}"},
-            ) as process:
+            guarding = {VARIABLE: f"{os.getpid()} {file}"}
+            with started(sys.orig_argv[1:], guarding) as process:
                 yield process
         finally:
             _process.shared.close()  # Windows deletes no file that is mapped

@@ -1,15 +1,16 @@
 """A function of ours done in a process of its own, for what may crash, hang or take all memory.
 
 A library that reads a damaged file may do so, and an OpenGL driver. The limits stop mistakes, not
-attacks. For a whole program of a user there is guard.py, for many of them the course's sandbox.
+attacks. For a whole program of a user there is guard.py, for many of them the course's sandbox;
+where the guard cannot copy its process (system/copying.py), it starts one here, too.
 """
 
 import os
 import pickle
 import subprocess
 import sys
-from collections.abc import Callable
-from typing import BinaryIO, NoReturn, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, BinaryIO, NoReturn, TypeVar
 
 from framelens.system import limits
 from framelens.system.processes import one_core
@@ -30,6 +31,16 @@ class Ended(Exception):
         self.message = message
 
 
+def started(
+    words: Sequence[str], changes: Mapping[str, str], **options: Any
+) -> "subprocess.Popen[bytes]":
+    """Start Python with these words and changes of the environment; ``options`` are Popen's.
+
+    Who starts it ends it. What it does is to end with its parent, too (``limits.end_with``).
+    """
+    return subprocess.Popen([sys.executable, *words], env={**os.environ, **changes}, **options)
+
+
 def isolated(
     function: Callable[..., Result],
     *arguments: object,
@@ -45,23 +56,21 @@ def isolated(
     """
     task = pickle.dumps((os.getpid(), worked, megabytes, function, arguments))
     path = os.pathsep.join([*filter(None, [os.environ.get("PYTHONPATH")]), *sys.path])
+    pipes = {name: subprocess.PIPE for name in ("stdin", "stdout", "stderr")}
     with one_core():
-        environment = {**os.environ, "PYTHONPATH": path}
-    try:
-        done = subprocess.run(
-            [sys.executable, "-P", "-m", __name__],
-            input=task,
-            capture_output=True,
-            env=environment,
-            timeout=seconds,
-        )
-    except subprocess.TimeoutExpired:
-        raise Ended(None) from None
+        process = started(["-P", "-m", __name__], {"PYTHONPATH": path}, **pipes)
+    with process:
+        try:
+            answer, errors = process.communicate(task, seconds)
+        except subprocess.TimeoutExpired:
+            raise Ended(None) from None
+        finally:
+            process.kill()  # if it still runs
 
-    if done.returncode or not done.stdout:
-        lines = done.stderr.decode(errors="replace").strip().splitlines() or [""]
-        raise Ended(done.returncode, lines[-1])
-    result, error = pickle.loads(done.stdout)
+    if process.returncode or not answer:
+        lines = errors.decode(errors="replace").strip().splitlines() or [""]
+        raise Ended(process.returncode, lines[-1])
+    result, error = pickle.loads(answer)
     if error is not None:
         raise error
     return result  # type: ignore[no-any-return]

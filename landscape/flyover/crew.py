@@ -22,8 +22,8 @@ from typing import Any
 import numpy as np
 
 from framelens.base import arguments
-from framelens.system import starting_workers
-from framelens.system.processes import begin_worker, cores, one_core
+from framelens.base.executor import companion
+from framelens.system.processes import cores
 from framelens.system.sharing import Bell, Pipe, SharedMemory
 from landscape.flyover import frame
 from landscape.flyover.camera import Camera
@@ -79,11 +79,10 @@ class Crew:
             _heights(heights, self.terrain.values.size)[:] = self.terrain.values
             self._picture = _pixels(picture)
             given = self.terrain.side, self.terrain.unit, self.terrain.name
-            with one_core(), starting_workers():
-                for _ in range(count):
-                    worker = _Worker()
-                    self._workers.append(worker)
-                    worker.start(heights, picture, self.terrain.values.size, given)
+            for _ in range(count):
+                worker = _Worker()
+                self._workers.append(worker)
+                worker.start(heights, picture, self.terrain.values.size, given)
         finally:
             heights.close()
             picture.close()
@@ -232,19 +231,16 @@ class _Worker:
         self, heights: SharedMemory, picture: SharedMemory, count: int, given: tuple[Any, ...]
     ) -> None:
         """Start the process; ``given`` is what describes ``count`` heights as a terrain."""
-        spawn = multiprocessing.get_context("spawn")
-        self.pipe, theirs = spawn.Pipe()
+        self.pipe, theirs = multiprocessing.get_context("spawn").Pipe()
         self._bell = Bell()
         task = _Given(theirs, self._bell, heights, picture, count, given)
-        process = spawn.Process(target=_work, args=(task,), daemon=True)
         try:
-            process.start()
+            self._process = companion(_work, task)
         except BaseException:
             self._hang_up()
             raise
         finally:
             theirs.close()
-        self._process = process
 
     def is_ready(self) -> bool:
         """Return whether the process can draw; EOFError if it has ended."""
@@ -293,7 +289,6 @@ class _Given:
 
 def _work(given: _Given) -> None:
     """Draw the parts that are asked for, until the pipe is closed."""
-    begin_worker()
     terrain = HeightField(_heights(given.heights, given.count), *given.given)
     memory = _pixels(given.picture)
     canvas = frame.Canvas(np.empty((0, 0), np.uint32))
