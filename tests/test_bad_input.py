@@ -398,27 +398,6 @@ def test_a_missing_texture_named_in_the_settings_is_refused_by_key(shell: Shell)
 # --- settings ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    "change",
-    ["fog.density=thick", "fog.density=", "fog.density=nan", "fog.density=-nan", "fog.density=inf"]
-    + ["fog.density=-0.1", "fog.density=1e999", "fog.density=1,2", "fog.density=0x10"]
-    + ["grass.count=many", "grass.count=2.5", "grass.count=nan", "grass.count=-1"]
-    + ["grass.count=" + "9" * 30, "grass.count=" + "9" * 400, "grass.count=" + "9" * 5000]
-    + ["grass.count=99999999", "trees.count=1000001", "ground.resolution=1", "water.points=0"]
-    + ["fog.color=1,2", "fog.color=1,2,3,4", "fog.color=0,nan,0", "fog.color=red", "fog.color=,,"]
-    + ["fog.enabled=maybe", "fog.enabled=2", "fog.mode=EXP3", "fog.mode=", "sky.set=night"]
-    + ["rabbit.mesh=", "ground.height_image="]
-    + ["nokey=1", "fog=1", "fog.x.y=1", "fog.Density=1", "=1", ".=1"],
-)
-def test_a_wrong_setting_is_refused_by_its_key(change: str, shell: Shell) -> None:
-    for command in ("settings", "render"):
-        view = ["fig35a"] if command == "render" else []
-        done = shell(command, *view, "--set", change)
-        refused(done, change.partition("=")[0])
-        assert len(done.err) < 200, "a long value should be truncated"
-    assert files(shell.cwd) == {}
-
-
 def test_a_setting_without_a_value_is_refused(shell: Shell) -> None:
     refused(shell("settings", "--set", "fog.density"), "fog.density", "KEY=VALUE")
 
@@ -494,42 +473,18 @@ def test_every_number_has_a_largest_and_a_smallest_value() -> None:
 @pytest.mark.parametrize(
     ("arguments", "word"),
     [
-        (["fig35a", "--size", "0x0"], "0x0"),
-        (["fig35a", "--size", "0x10"], "0x10"),
-        (["fig35a", "--size", "-5x5"], "-5x5"),
-        (["fig35a", "--size", "axb"], "WxH"),
         (["fig35a", "--size", "800"], "WxH"),
         (["fig35a", "--size", "8e2x600"], "WxH"),
         (["fig35a", "--size", "²x²"], "WxH"),
-        (["fig35a", "--size", "99999x99999"], "16384x16384"),
-        (["fig35a", "--size", "10x16385"], "16384x16384"),
-        (["fig35a", "--size", "16384x16384"], "67 megapixels"),
-        (["fig35a", "--size", "8000x8000", "--samples", "4"], "34 megapixels with antialiasing"),
         (["fig35a", "--size", "9" * 40 + "x1"], "16384x16384"),
+        (["fig35a", "--size", "8000x8000", "--samples", "4"], "34 megapixels with antialiasing"),
         (["--pose", "1,2,3"], "X,Y,Z,YAW,PITCH"),
-        (["--pose", "1,2,3,4,5,6"], "X,Y,Z,YAW,PITCH"),
-        (["--pose", "1,2,3,nan,0"], "nan"),
-        (["--pose", "1,2,3,inf,0"], "inf"),
-        (["--pose", "1,2,3,north,0"], "north"),
-        (["--pose", "ground,2,3,0,0"], "ground"),
         (["--pose", ""], "X,Y,Z,YAW,PITCH"),
-        (["fig35a", "--kt", "nan"], "nan"),
-        (["fig35a", "--kt", "inf"], "inf"),
-        (["fig35a", "--kt", "now"], "now"),
         (["fig99z"], "fig99z"),
         (["fig35a", "--kt", "1", "fig99z"], "fig99z"),
         (["two\nlines"], "two"),
         ([], "VIEW"),
-        (["fig35a", "--only", "cows"], "cows"),
-        (["fig35a", "--only", ""], "ground"),
-        (["fig35a", "--samples", "3"], "3"),
-        (["fig35a", "--seed", "-1"], "-1"),
-        (["fig35a", "--seed", "9" * 30], "999"),
-        (["fig35a", "--backend", "metal"], "metal"),
-        (["fig35a", "--preset", "worst"], "worst"),
-        (["fig35a", "--assets", "nowhere"], "nowhere"),
         (["fig35a", "--assets", "file"], "file"),
-        (["fig35a", "--assets", "x" * 300], "xxx"),
         (["fig35a", "--no-such-option"], "--no-such-option"),
         (["fig35a", "--size"], "--size"),
     ],
