@@ -93,7 +93,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def runs_all(config: pytest.Config) -> bool:
-    """Return whether every case is run: all are asked for, or those that are to be run are named."""
+    """Return whether every case is run: all are asked for, or some are named."""
     return config.getoption("--all") or names_cases(config)
 
 
