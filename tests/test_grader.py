@@ -90,6 +90,7 @@ WORDS = {
     "removes": ("os.remove(__file__)", "write"),
     "connects": ("import socket\nsocket.socket()", "network"),
     "starts a program": ("os.system('true')", "start"),
+    "imports the grader": ("import landscape.course.exercise", "grader"),
     "forges its evidence": (FORGE.format('{"states": [], "frames": 3}'), "died"),
     "forges another error": (FORGE.format('{"error": {"word": "tired"}}'), "died"),
     "forges an error without values": (

@@ -45,6 +45,7 @@ SENTENCES: Texts = {
     "two_windows": "opens two windows; an exercise needs only one",
     "no_toolkit": "does not import glfw, so it opens no window",
     "package": "needs a Python package that is not installed: {reason}",
+    "grader": "uses {reason}, which it cannot while it is checked: the solutions are in it",
     "syntax": "line {line}: is not Python ({error})",
     "not_python": "is not a Python program",
     "refused": "cannot be run: {reason}",

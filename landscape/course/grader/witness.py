@@ -30,6 +30,7 @@ from landscape.course.grader.troubles import SENTENCES
 
 MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
 MANY_CALLS = "too many calls"
+PACKAGE = Path(__file__).resolve().parents[2]  # in which the grader and the solutions are
 LONGEST_CALL = 80  # chosen: characters of a call's arguments in a message
 # What changes between two draw calls without changing the rest of the state.
 UNREAD = ("vertex", "begin_end", "matrix")
@@ -75,7 +76,9 @@ def _trouble(
 ) -> dict[str, Any]:
     """Return what went wrong as a word of troubles.py, and the values of its message."""
     if package := str(error).partition("needs the Python package ")[2]:
-        return {"word": "package", "reason": package.partition(",")[0].partition(":")[0]}
+        name = package.partition(",")[0].partition(":")[0]
+        word = "grader" if name.partition(".")[0] == PACKAGE.name else "package"
+        return {"word": word, "reason": name}
     if error.details.strip():
         line = _line_of(str(error))
         raised = str(error.values.get("reason", ""))
@@ -83,6 +86,8 @@ def _trouble(
             return {"word": "unclosed", **witness.unclosed}
         if refusals.refused and raised.startswith("PermissionError"):
             return {"word": refusals.refused, "line": line}
+        if raised.startswith("PermissionError") and str(PACKAGE) in raised:
+            return {"word": "grader", "reason": PACKAGE.name}
         if "MemoryError" in raised:
             return {"word": "calls" if MANY_CALLS in raised else "memory", "line": line}
         trouble = {"line": line, **_exception(raised, error.details)}
