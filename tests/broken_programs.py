@@ -593,4 +593,116 @@ BROKEN = {
         BEGIN + "glColor3f(0.9, 0.1, 0.1)\n" + TURNED,
         ("GL_SPECULAR", "GL_AMBIENT_AND_DIFFUSE"),
     ),
+    "far, in two views": Case(
+        ("beyond-far",),
+        """glEnable(GL_DEPTH_TEST)
+
+
+def view(angle, x):
+    glViewport(x, 0, 120, 180)
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    gluPerspective(angle, 120 / 180, 0.5, 3)
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glTranslatef(0, 0, -5)
+
+
+""",
+        "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)\nview(40, 0)\n"
+        + QUAD
+        + "view(60, 120)\n"
+        + QUAD,
+        ("0.5, 3)", "0.5, 30)"),
+        pixel=(180, 90),
+    ),
+    "projection wiped, and text after it": Case(
+        ("projection-wiped",),
+        "points = np.array([[[-1, -1, 0], [1, -1, 0]], [[-1, 1, 0], [1, 1, 0]]], np.float32)\n"
+        "glEnable(GL_MAP2_VERTEX_3)\nglMap2f(GL_MAP2_VERTEX_3, 0, 1, 0, 1, points)\n"
+        "glMapGrid2f(4, 0, 1, 4, 0, 1)\n"
+        "glMatrixMode(GL_PROJECTION)\ngluPerspective(45, 240 / 180, 0.5, 50)\n",
+        """\
+glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+glLoadIdentity()
+gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)
+glEvalMesh2(GL_FILL, 0, 4, 0, 4)
+glPushAttrib(GL_TRANSFORM_BIT)
+glMatrixMode(GL_PROJECTION)
+glPushMatrix()
+glLoadIdentity()
+glOrtho(0, 240, 0, 180, -1, 1)
+glMatrixMode(GL_MODELVIEW)
+glPushMatrix()
+glLoadIdentity()
+glRectf(10, 10, 60, 20)
+glPopMatrix()
+glMatrixMode(GL_PROJECTION)
+glPopMatrix()
+glPopAttrib()
+""",
+        ("0.5, 50)\n", "0.5, 50)\nglMatrixMode(GL_MODELVIEW)\n"),
+        pixel=(120, 90),
+    ),
+    "masked but for alpha": Case(
+        ("color-mask",),
+        FLAT,
+        CLEAR + "glColorMask(False, False, False, True)\nglRectf(60, 40, 200, 150)\n",
+        ("False, False, False, True", "True, True, True, True"),
+    ),
+    "lighting off after the lamp": Case(
+        ("lighting-off",),
+        CAMERA + CUBE + LIGHT,
+        BEGIN
+        + "glDisable(GL_LIGHTING)\nglColor3f(0.9, 0.9, 0.5)\nglRectf(-2, -2, -1.5, -1.5)\n"
+        + "glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, (0.9, 0.1, 0.1, 1))\n"
+        + TURNED,
+        ("glMaterialfv", "glEnable(GL_LIGHTING)\n    glMaterialfv"),
+    ),
+    "lit from the far side in one view": Case(
+        ("light-far-side",),
+        CAMERA + CUBE + LIGHT + "glEnable(GL_COLOR_MATERIAL)\n",
+        BEGIN
+        + "glTranslatef(-1.4, 0, -2)\nglLightfv(GL_LIGHT0, GL_POSITION, (0, 0, -1, 0))\ncube()\n"
+        + "glTranslatef(2.8, 0, 0)\nglLightfv(GL_LIGHT0, GL_POSITION, (0, 0, 1, 0))\ncube()\n",
+        ("(0, 0, -1, 0)", "(0, 0, 1, 0)"),
+        pixel=(90, 90),
+    ),
+    "an array's colours lit": Case(
+        ("no-color-material",),
+        FLAT
+        + LIGHT
+        + "data = np.array([[60, 40], [200, 40], [130, 150]], np.float32)\n"
+        + "colors = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)\n"
+        + "glEnableClientState(GL_VERTEX_ARRAY)\nglEnableClientState(GL_COLOR_ARRAY)\n"
+        + "glVertexPointer(2, GL_FLOAT, 0, data)\nglColorPointer(3, GL_FLOAT, 0, colors)\n"
+        + "glNormal3f(0, 0, 1)\n",
+        CLEAR + "glDrawArrays(GL_TRIANGLES, 0, 3)\n",
+        ("glNormal3f", "glEnable(GL_COLOR_MATERIAL)\nglNormal3f"),
+    ),
+    "texture disabled, never enabled": Case(
+        ("texture-off",),
+        CAMERA + IMAGE + "first = image.copy()\n" + IMAGE,
+        BEGIN
+        + "glColor3f(1, 1, 1)\nglBindTexture(GL_TEXTURE_2D, 1)\n"
+        + TEXTURED
+        + "glDisable(GL_TEXTURE_2D)\nglPushAttrib(GL_ENABLE_BIT)\nglEnable(GL_TEXTURE_2D)\n"
+        + "glBindTexture(GL_TEXTURE_2D, 2)\nglTranslatef(2.2, 0, 0)\n"
+        + TEXTURED
+        + "glPopAttrib()\n",
+        ("GL_TEXTURE_2D, 1)", "GL_TEXTURE_2D, 1)\n    glEnable(GL_TEXTURE_2D)"),
+        pixel=(120, 90),
+    ),
+    "blending asked for, and on for others": Case(
+        ("no-blend",),
+        FLAT,
+        CLEAR
+        + "glColor4f(0, 0, 1, 1)\nglRectf(0, 0, 240, 100)\n"
+        + "glBlendFunc(GL_SRC_ALPHA, GL_ONE)\nglColor4f(1, 0, 0, 0.5)\n"
+        + "glRectf(60, 40, 120, 150)\nglRectf(80, 60, 140, 170)\nglDisable(GL_BLEND)\n"
+        + "glEnable(GL_BLEND)\nglBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)\n"
+        + "glRectf(180, 60, 220, 120)\nglDisable(GL_BLEND)\n",
+        ("glBlendFunc(GL_SRC_ALPHA, GL_ONE)", "glEnable(GL_BLEND); glBlendFunc(GL_SRC_ALPHA, 1)"),
+        pixel=(100, 90),
+    ),
 }

@@ -15,6 +15,7 @@ from framelens.why.suspects import (
     Suspect,
     cap,
     closed,
+    in_frame,
     matrix_of,
     off,
     on,
@@ -59,6 +60,8 @@ def lights(survey: Survey) -> Iterator[Suspect]:
     if mine and _dark(survey, mine):
         yield from _weakened(mine)
         yield from _far_side(survey, mine)
+    elif mine:
+        yield from _moved_away(mine)
 
 
 def _weakened(mine: Sequence[Drawn]) -> Iterator[Suspect]:
@@ -133,13 +136,19 @@ def _set_and_off(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
 
 
 def _unlit(survey: Survey) -> Iterator[Suspect]:
-    """Yield that lights are on, normals are given, and lighting is not enabled."""
+    """Yield that lights are on, normals are given, and lighting is not enabled.
+
+    Where the program disables it, a material that the frame sets tells that it is meant to be on:
+    without light it has no effect.
+    """
     shapes = survey.shapes
     if not shapes or any(d.state["GL_LIGHTING"] for d in shapes):
         return
-    mine = [d for d in shapes if any(d.state[name] for name in LIGHTS) and _has_normals(d)]
+    bright = [d for d in shapes if any(d.state[name] for name in LIGHTS)]
+    mine = [d for d in bright if _has_normals(d) and _reflects(d)]
     switch = mine[0].setter("GL_LIGHTING") if mine else None
-    if mine and (switch is None or switch.name != "glDisable"):
+    asked = switch is None or switch.name != "glDisable"
+    if mine and (asked or any(in_frame(survey, d.setter("GL_FRONT.GL_DIFFUSE")) for d in mine)):
         light = next(name for name in LIGHTS if mine[0].state[name])
         yield Suspect(
             "lighting-off",
@@ -160,6 +169,17 @@ def _has_normals(draw: Drawn) -> bool:
     return given or shaped or draw.setter("GL_CURRENT_NORMAL") is not None
 
 
+def _reflects(draw: Drawn) -> bool:
+    """Return whether a draw has a material, or else nothing but the light would shade it.
+
+    Textures and the colours of vertices may have the light painted in.
+    """
+    if draw.state["GL_COLOR_MATERIAL"] or draw.setter("GL_FRONT.GL_DIFFUSE") is not None:
+        return True
+    colored = draw.state["GL_COLOR_ARRAY"] or _within(draw, "glColor")
+    return not colored and not draw.state["GL_TEXTURE0.GL_TEXTURE_2D"]
+
+
 def _far_side(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
     """Yield that what is seen of all lit shapes faces away from every light."""
     past = survey.past
@@ -168,30 +188,76 @@ def _far_side(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
     for name in LIGHTS:
         if not mine[0].state[name]:
             continue
-        set_by = mine[0].setter(f"{name}.GL_POSITION")
-        values: dict[str, object] = {"light": name}
-        if set_by is not None:
-            values["call"] = written(set_by)
-            position = [float(v) for v in np.ravel(np.asarray(set_by.args[2]))]
-            values["position"] = position
+        yield _turned_to(name, mine)
 
-        def turned(each: str = name) -> None:
-            distant = mine[0].state[f"{each}.GL_POSITION"][3] == 0
-            gl.glPushMatrix()
-            gl.glLoadIdentity()
-            gl.glLightfv(cap(each), gl.GL_POSITION, (0, 0, 1, 0) if distant else (0, 0, 0, 1))
-            gl.glPopMatrix()
 
-        yield Suspect(
-            "light-far-side",
-            at=set_by or mine[0].setter(name),
-            change=with_state(["LIGHTING"], [_in_modelview(turned)], mine),
-            strength=78,
-            state=f"{name}.GL_POSITION",
-            value=values.get("position"),
-            values=values,
-            draws=mine,
-        )
+def _turned_to(name: str, mine: list[Drawn]) -> Suspect:
+    """Suspect that a light is on the far side; the change puts it on the side of the eye."""
+    set_by = mine[0].setter(f"{name}.GL_POSITION")
+    values: dict[str, object] = {"light": name}
+    if set_by is not None:
+        values["call"] = written(set_by)
+        values["position"] = [float(v) for v in np.ravel(np.asarray(set_by.args[2]))]
+
+    def turned() -> None:
+        distant = mine[0].state[f"{name}.GL_POSITION"][3] == 0
+        gl.glPushMatrix()
+        gl.glLoadIdentity()
+        gl.glLightfv(cap(name), gl.GL_POSITION, (0, 0, 1, 0) if distant else (0, 0, 0, 1))
+        gl.glPopMatrix()
+
+    return Suspect(
+        "light-far-side",
+        at=set_by or mine[0].setter(name),
+        change=with_state(["LIGHTING"], [_in_modelview(turned)], mine),
+        strength=78,
+        state=f"{name}.GL_POSITION",
+        value=values.get("position"),
+        values=values,
+        draws=mine,
+    )
+
+
+def _moved_away(mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that a light is placed twice, and one time on the far side of a shape.
+
+    The other time it lights what the same line draws.
+    """
+    for name in LIGHTS:
+        groups: dict[int, list[Drawn]] = {}
+        for draw in mine:
+            if draw.state[name] and (set_by := draw.setter(f"{name}.GL_POSITION")) is not None:
+                groups.setdefault(id(set_by), []).append(draw)
+        for key, group in groups.items():
+            others = [draw for other, draws in groups.items() if other != key for draw in draws]
+            bright = {d.call.source for d in others if _share(d, name) > BRIGHT}
+            dark = [d for d in group if d.call.source in bright and _share(d, name) < GRAZED]
+            if dark and all(_share(draw, name) < GRAZED for draw in group if draw.changed):
+                yield _turned_to(name, dark)
+
+
+GRAZED, BRIGHT = 0.1, 0.25  # of a light, on average over what faces the eye; chosen
+
+
+def _share(draw: Drawn, name: str) -> float:
+    """Return how much of a light falls on what faces the eye, 0 to 1; not a number if unknown."""
+    found = draw.vertices
+    if found is None or found.normals is None or len(found.normals) != len(found.positions):
+        return float("nan")
+    matrix = matrix_of(draw, "GL_MODELVIEW")
+    if not np.linalg.det(matrix[:3, :3]):
+        return float("nan")
+    eye = (found.positions @ matrix)[:, :3]
+    lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
+    sight = eye if lensed else np.tile(AHEAD, (len(eye), 1))
+    place = np.array(draw.state[f"{name}.GL_POSITION"], np.float64)
+    ways = place[:3] / place[3] - eye if place[3] else np.tile(place[:3], (len(eye), 1))
+    turned = found.normals @ np.linalg.inv(matrix[:3, :3]).T
+    facing = (turned * sight).sum(axis=1) < 0
+    with np.errstate(all="ignore"):
+        lengths = np.linalg.norm(turned, axis=1) * np.linalg.norm(ways, axis=1)
+        cosines = np.clip((turned * ways).sum(axis=1) / lengths, 0.0, 1.0)
+    return float(cosines[facing].mean()) if facing.any() else float("nan")
 
 
 def _in_modelview(act: Any) -> Any:
@@ -441,7 +507,11 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         and not _within(d, "glMaterial")
     ]
     colored = [
-        d for d in diffuse if d.setter("GL_CURRENT_COLOR") is not None or _within(d, "glColor")
+        d
+        for d in diffuse
+        if d.setter("GL_CURRENT_COLOR") is not None
+        or _within(d, "glColor")
+        or d.state["GL_COLOR_ARRAY"]
     ]
     colored = [d for d in colored if not d.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
     if not any(_colorful(d) for d in colored):
@@ -539,7 +609,22 @@ def _colorful(draw: Drawn) -> bool:
     """Return whether glColor gives a draw a colour, not a grey, which lighting may show as well."""
     given = list(draw.vertices.colors) if draw.vertices is not None else []
     colors = [*given, tuple(draw.state["GL_CURRENT_COLOR"])]
+    if draw.state["GL_COLOR_ARRAY"]:
+        colors += _array_colors(draw)
     return any(max(color[:3]) - min(color[:3]) > 0.1 for color in colors)
+
+
+def _array_colors(draw: Drawn) -> list[tuple[float, ...]]:
+    """Return colours of the array in memory that a draw reads; nothing of one in a buffer."""
+    pointers = [args for name, args in draw.call.arrays if name == "glColorPointer"]
+    colors = np.asarray(pointers[0][-1] if pointers else ())
+    if colors.ndim != 2 or colors.shape[1] < 3:
+        return []
+    most = float(np.iinfo(colors.dtype).max) if colors.dtype.kind in "iu" else 1.0
+    return [tuple(color / most) for color in colors[:SOME, :3].astype(np.float64)]
+
+
+SOME = 1000  # colours of an array that are looked at; chosen
 
 
 def _within(draw: Drawn, name: str) -> bool:

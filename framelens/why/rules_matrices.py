@@ -412,7 +412,7 @@ def _again_after(survey: Survey, call: Call) -> bool:
             return True
         if note is None and later.name.startswith(("glLoadMatrix", "glMultMatrix")):
             return True
-        if later.name == "glBegin" or later.name.startswith("glDraw"):
+        if spec.draws(later.name):
             return False
     return False
 

@@ -146,8 +146,8 @@ def _other_plane(
 ) -> Suspect:
     call = mine[0].setter("GL_PROJECTION_MATRIX")
     at = at_of(survey, call)
-    projection = list(mine[0].state["GL_PROJECTION_MATRIX"])
-    alike = [d for d in survey.shapes if list(d.state["GL_PROJECTION_MATRIX"]) == projection]
+    planes = _planes(mine[0])
+    alike = [d for d in survey.shapes if np.allclose(_planes(d), planes)]
 
     return Suspect(
         f"beyond-{plane}",
@@ -168,6 +168,12 @@ def _other_plane(
         draws=mine,
         appear=True,
     )
+
+
+def _planes(draw: Drawn) -> tuple[bool, float, float]:
+    """Return whether a draw is in perspective, and its near and far plane."""
+    projection = draw.state["GL_PROJECTION_MATRIX"]
+    return perspective(projection), *near_far(projection)
 
 
 def _units(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:

@@ -18,12 +18,14 @@ from framelens.why.suspects import (
     Suspect,
     cap,
     closed,
+    in_frame,
     load,
     matrix_of,
     near_far,
     off,
     on,
     perspective,
+    shows_elsewhere,
     surrounds,
     with_matrix,
     with_planes,
@@ -67,7 +69,7 @@ def _tested(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
     """Yield each test that may stop what has fragments, and lets none of them pass."""
     stopped = [draw for draw in group if not draw.passed]
     yield from _alpha_tested(stopped)
-    yield from _stencil_tested(stopped)
+    yield from _stencil_tested(survey, stopped)
     yield from _scissored(stopped)
     yield from _clipped(stopped)
     yield from _color_masked(survey, group)
@@ -97,10 +99,13 @@ def _alpha_tested(draws: list[Drawn]) -> Iterator[Suspect]:
     yield from _lift("alpha-test", "GL_ALPHA_TEST", draws, 84, **names)
 
 
-def _stencil_tested(draws: list[Drawn]) -> Iterator[Suspect]:
+def _stencil_tested(survey: Survey, draws: list[Drawn]) -> Iterator[Suspect]:
     names = {"function": "GL_STENCIL_FUNC", "reference": "GL_STENCIL_REF"}
-    seen = [draw for draw in draws if not _marks(draw)]
-    yield from _lift("stencil-test", "GL_STENCIL_TEST", seen, 84, **names)
+    mine = [draw for draw in _of(draws, "GL_STENCIL_TEST") if not _marks(draw)]
+    marking = [draw for draw in survey.shapes if _sets_stencil(draw)]
+    if marking and not any(draw.covered for draw in marking):
+        return  # what it is to be seen in, such as a mirror, is not in the view
+    yield from _lift("stencil-test", "GL_STENCIL_TEST", mine, 84, **names)
 
 
 def _scissored(draws: list[Drawn]) -> Iterator[Suspect]:
@@ -115,7 +120,7 @@ def _clipped(draws: list[Drawn]) -> Iterator[Suspect]:
 
 
 def _color_masked(survey: Survey, draws: list[Drawn]) -> Iterator[Suspect]:
-    masked = [draw for draw in draws if _colorless(draw) and not _for_depth(survey, draw)]
+    masked = [draw for draw in draws if _colorless(draw) and not _meant(survey, draw)]
     if masked and not any(draw.state["GL_STENCIL_TEST"] for draw in masked):
         yield Suspect(
             "color-mask",
@@ -123,7 +128,7 @@ def _color_masked(survey: Survey, draws: list[Drawn]) -> Iterator[Suspect]:
             change=with_state(["COLOR_BUFFER"], [("glColorMask", (True,) * 4)], masked),
             strength=74,
             state="GL_COLOR_WRITEMASK",
-            value=[False] * 4,
+            value=[bool(shown) for shown in masked[0].state["GL_COLOR_WRITEMASK"]],
             draws=masked,
         )
 
@@ -140,7 +145,19 @@ LINES = ("GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP")
 
 
 def _colorless(draw: Drawn) -> bool:
-    return not any(draw.state["GL_COLOR_WRITEMASK"])
+    return not any(draw.state["GL_COLOR_WRITEMASK"][:3])
+
+
+def _meant(survey: Survey, draw: Drawn) -> bool:
+    """Return whether a draw without colours is there for its depths, or to be counted."""
+    return _for_depth(survey, draw) or _counted(survey, draw)
+
+
+def _counted(survey: Survey, draw: Drawn) -> bool:
+    """Return whether a query counts a draw's fragments."""
+    before = survey.tape.calls[survey.tape.begin : draw.number]
+    queries = [call for call in before if call.name.startswith(("glBeginQuery", "glEndQuery"))]
+    return bool(queries) and queries[-1].name.startswith("glBegin")
 
 
 def _for_depth(survey: Survey, draw: Drawn) -> bool:
@@ -148,12 +165,18 @@ def _for_depth(survey: Survey, draw: Drawn) -> bool:
     if not (draw.state["GL_DEPTH_TEST"] and draw.state["GL_DEPTH_WRITEMASK"]):
         return False
     later = survey.tape.calls[draw.number :]
-    return any(call.name == "glColorMask" and any(map(bool, call.args)) for call in later)
+    return any(call.name == "glColorMask" and any(map(bool, call.args[:3])) for call in later)
 
 
 def _marks(draw: Drawn) -> bool:
     """Return whether a draw is there to mark pixels in the stencil buffer."""
     return bool(draw.state["GL_STENCIL_FAIL"] != "GL_KEEP")
+
+
+def _sets_stencil(draw: Drawn) -> bool:
+    """Return whether a draw writes into the stencil buffer."""
+    names = ("GL_STENCIL_FAIL", "GL_STENCIL_PASS_DEPTH_FAIL", "GL_STENCIL_PASS_DEPTH_PASS")
+    return bool(draw.state["GL_STENCIL_TEST"]) and any(draw.state[n] != "GL_KEEP" for n in names)
 
 
 def _culled(group: list[Drawn]) -> Iterator[Suspect]:
@@ -332,7 +355,8 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             draws=mine,
         )
 
-    if list(state["GL_DEPTH_RANGE"]) != [0.0, 1.0]:
+    moved = list(state["GL_DEPTH_RANGE"]) != [0.0, 1.0]
+    if moved and not shows_elsewhere(survey, mine, "GL_DEPTH_RANGE"):
         yield Suspect(
             "depth-range",
             at=_setter(mine, "GL_DEPTH_RANGE"),
@@ -600,6 +624,7 @@ def blend_missing(survey: Survey) -> Iterator[Suspect]:
     """A translucent colour or image without blending."""
     shapes = [draw for draw in survey.shapes if draw.passed]
     if any(draw.state["GL_BLEND"] for draw in shapes):
+        yield from _function_alone(survey, shapes)
         yield from _solid_at_pixel(shapes)
         return
     if not shapes:
@@ -635,6 +660,25 @@ def _solid_at_pixel(shapes: list[Drawn]) -> Iterator[Suspect]:
         alpha = min(_alpha(draw), texture_alpha(draw))
         if alpha < 0.99 and not (meant or draw.state["GL_ALPHA_TEST"] or draw.state["GL_LIGHTING"]):
             yield _without_blending([draw], draw.call, [], alpha=alpha, strength=58)
+
+
+def _function_alone(survey: Survey, shapes: list[Drawn]) -> Iterator[Suspect]:
+    """Yield that blending has a function for some draws of a frame, and is not enabled for them.
+
+    The function must be set in the frame, after blending was switched off for something else.
+    """
+    groups: dict[int, list[Drawn]] = {}
+    for draw in shapes:
+        setter = draw.setter("GL_BLEND_SRC_RGB")
+        if in_frame(survey, setter):
+            groups.setdefault(id(setter), []).append(draw)
+
+    for mine in groups.values():
+        setter, switch = mine[0].setter("GL_BLEND_SRC_RGB"), mine[0].setter("GL_BLEND")
+        if setter is None or any(draw.state["GL_BLEND"] for draw in mine):
+            continue
+        if not in_frame(survey, switch) or (switch is not None and switch.number < setter.number):
+            yield from _blending_asked_for(mine, setter)
 
 
 def _blending_asked_for(shapes: list[Drawn], setter: Call) -> Iterator[Suspect]:

@@ -14,7 +14,7 @@ from framelens.gl.seam import Call, gl
 from framelens.tape.image_rows import key_of
 from framelens.tape.textures import completeness, size_of
 from framelens.why.survey import Drawn, Survey
-from framelens.why.suspects import Suspect, off, with_state, written
+from framelens.why.suspects import Suspect, in_frame, off, with_state, written
 from framelens.why.trial import Action, Change
 
 ENABLED = "GL_TEXTURE0.GL_TEXTURE_2D"
@@ -306,19 +306,39 @@ def not_enabled(survey: Survey) -> Iterator[Suspect]:
         return
 
     seen = any(d.state[ENABLED] for d in survey.shapes)
-    if seen and (survey.pixel is None or _meant_plain(survey, bound[0])):
+    if seen and survey.pixel is None:
         return  # where some are textured, others may be meant to be plain
+    late = [d for d in bound if _disabled_after(survey, d)] if seen else []
+    if seen and not late and _meant_plain(survey, bound[0]):
+        return
+    bound = late or bound
     setter = bound[0].setter(BOUND)
     yield Suspect(
         "texture-off",
         at=setter or bound[0].call,
         change=with_state(["ENABLE"], [("glEnable", (gl.GL_TEXTURE_2D,))], bound),
-        strength=60 if seen else 90,
+        strength=(80 if late else 60) if seen else 90,
         state="GL_TEXTURE_2D",
         value=False,
         values={"texture": int(bound[0].state[BOUND])},
         draws=bound,
     )
+
+
+def _disabled_after(survey: Survey, draw: Drawn) -> bool:
+    """Return whether texturing is disabled only after a draw, whose texture no other draw uses.
+
+    A program that disables it when the thing is drawn means it to be on before.
+    """
+    texture = int(draw.state[BOUND])
+    if any(d.state[ENABLED] and int(d.state[BOUND]) == texture for d in survey.shapes):
+        return False
+    if in_frame(survey, draw.setter(ENABLED)):
+        return False
+    later = [call for call in survey.calls if call.number > draw.number]
+    switches = [call for call in later if call.name in ("glEnable", "glDisable")]
+    names = [call.name for call in switches if int(call.args[0]) == int(gl.GL_TEXTURE_2D)]
+    return names[:1] == ["glDisable"]
 
 
 def _meant_plain(survey: Survey, draw: Drawn) -> bool:

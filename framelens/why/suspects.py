@@ -133,6 +133,27 @@ def line_of(survey: Survey, draw: Drawn) -> str:
     return f"{draw.call.site.file}:{own[-2][1]}"
 
 
+def in_frame(survey: Survey, call: At) -> bool:
+    """Return whether a call is one of the frame that is looked at, not of the setup before it."""
+    calls = survey.tape.calls
+    return (
+        isinstance(call, Call)
+        and survey.tape.begin <= call.number < len(calls)
+        and calls[call.number] is call
+    )
+
+
+def shows_elsewhere(survey: Survey, draws: Sequence[Drawn], name: str) -> bool:
+    """Return whether a variable has its value, set in the same line, for draws that are seen."""
+    setter, value = draws[0].setter(name), draws[0].state[name]
+    return setter is not None and any(
+        other is not None and other.source == setter.source
+        for draw in survey.shapes
+        if draw.state[name] == value and survey.seen(draw)
+        for other in (draw.setter(name),)
+    )
+
+
 def closed(draw: Drawn) -> bool:
     """Return whether a draw is a closed shape: a solid of GLUT, or one whose edges all meet."""
     if draw.call.name.startswith("glutSolid"):

@@ -41,19 +41,19 @@ MISTAKES = (
     ),
     Mistake(
         "near",
-        r"gluPerspective\(([^,]+), ([^,]+), [^,]+, ([^,]+)\)\n",
+        r"gluPerspective\(([^,\n]+), ([^,\n]+), [^,\n]+, ([^,\n]+)\)\n",
         r"gluPerspective(\1, \2, 20, 300)\n",
         ("beyond-near",),
     ),
     Mistake(
         "far",
-        r"gluPerspective\(([^,]+), ([^,]+), [^,]+, ([^,]+)\)\n",
+        r"gluPerspective\(([^,\n]+), ([^,\n]+), [^,\n]+, ([^,\n]+)\)\n",
         r"gluPerspective(\1, \2, 0.1, 0.5)\n",
         ("beyond-far",),
     ),
     Mistake(
         "near 0",
-        r"gluPerspective\(([^,]+), ([^,]+), [^,]+, ([^,]+)\)\n",
+        r"gluPerspective\(([^,\n]+), ([^,\n]+), [^,\n]+, ([^,\n]+)\)\n",
         r"gluPerspective(\1, \2, 0, \3)\n",
         ("near-zero",),
     ),
@@ -74,7 +74,12 @@ MISTAKES = (
     ),
     Mistake("light off", r"glEnable\(GL_LIGHT0\)", "pass", ("light-off",)),
     Mistake("lighting off", r"glEnable\(GL_LIGHTING\)", "pass", ("lighting-off",)),
-    Mistake("no material", r"glEnable\(GL_COLOR_MATERIAL\)", "pass", ("no-color-material",)),
+    Mistake(
+        "no material",
+        r"(?<=glEnable\()GL_COLOR_MATERIAL(?=\))|GL_COLOR_MATERIAL(?=(, \w+)*\):)",
+        "GL_DITHER",  # is enabled at the start
+        ("no-color-material",),
+    ),
     Mistake(
         "far side",
         r"glLightfv\(GL_LIGHT0, GL_POSITION, [^\n]*\)",
