@@ -93,7 +93,7 @@ class Case:
     causes: tuple[str, ...]
     setup: str
     draw: str
-    mend: tuple[str, str]
+    mend: tuple[str, str] = ("", "")
     frame: int = 0
     pixel: tuple[int, int] | None = None
 
@@ -609,10 +609,11 @@ def view(angle, x):
 
 
 """,
-        "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)\nview(40, 0)\n"
-        + QUAD
-        + "view(60, 120)\n"
-        + QUAD,
+        "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)\n"
+        "glViewport(0, 0, 240, 180)\nglMatrixMode(GL_PROJECTION)\nglLoadIdentity()\n"
+        "glMatrixMode(GL_MODELVIEW)\nglLoadIdentity()\nglRectf(-1, -1, 1, -0.9)\n"
+        "for angle, x in ((40, 0), (60, 120)):\n    view(angle, x)\n"
+        "    glRectf(-1, -1, 1, 1)\n",
         ("0.5, 3)", "0.5, 30)"),
         pixel=(180, 90),
     ),
@@ -706,3 +707,53 @@ glPopAttrib()
         pixel=(100, 90),
     ),
 }
+
+RIGHT = {
+    "light painted into a texture": Case(
+        (),
+        CAMERA + IMAGE + "glEnable(GL_LIGHT0)\nglEnable(GL_TEXTURE_2D)\n",
+        BEGIN + "glNormal3f(0, 0.6, 0.8)\n" + TEXTURED,
+        pixel=(120, 90),
+    ),
+    "fragments counted": Case(
+        (),
+        FLAT + "query = int(np.ravel(glGenQueries(1))[0])\n",
+        CLEAR
+        + "glRectf(0, 0, 240, 20)\nglColorMask(False, False, False, False)\n"
+        + "glBeginQuery(GL_SAMPLES_PASSED, query)\nglRectf(60, 40, 200, 150)\n"
+        + "glEndQuery(GL_SAMPLES_PASSED)\nglColorMask(True, True, True, True)\n",
+        pixel=(120, 90),
+    ),
+    "a mirror out of sight": Case(
+        (),
+        FLAT + "glfw.window_hint(glfw.STENCIL_BITS, 8)\n",
+        CLEAR
+        + "glClear(GL_STENCIL_BUFFER_BIT)\nglRectf(0, 0, 240, 20)\nglEnable(GL_STENCIL_TEST)\n"
+        + "glStencilFunc(GL_ALWAYS, 1, 1)\nglStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)\n"
+        + "glRectf(400, 400, 500, 500)\n"
+        + "glStencilFunc(GL_EQUAL, 1, 1)\nglStencilOp(GL_KEEP, GL_KEEP, GL_KEEP)\n"
+        + "glColor3f(1, 0, 0)\nglRectf(60, 40, 200, 150)\nglDisable(GL_STENCIL_TEST)\n"
+        + "glColor3f(1, 1, 1)\n",
+        pixel=(120, 90),
+    ),
+    "a background behind all": Case(
+        (),
+        CAMERA
+        + """
+
+def background(x, blue):
+    glDepthRange(1, 1)
+    glDepthFunc(GL_LEQUAL)
+    glColor3f(0, 0, blue)
+    glRectf(x - 0.5, -0.5, x + 0.5, 0.5)
+    glDepthRange(0, 1)
+
+
+""",
+        BEGIN
+        + "glColor3f(1, 1, 1)\nglRectf(-1, -1, 1, 1)\nglTranslatef(0, 0, 1)\n"
+        + "background(1.5, 1)\nbackground(0, 0.5)\n",
+        pixel=(120, 90),
+    ),
+}
+"""Programs that mean what they do, at a pixel where another one would be mistaken."""

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from broken_programs import BROKEN
+from broken_programs import BROKEN, RIGHT
 
 from framelens.base.texts import LANGUAGES
 from framelens.why.findings import CAUSES, IDS, WORDS
@@ -48,6 +48,14 @@ def test_the_mistake_is_named_and_its_absence_too(name, tmp_path):
     first = found["causes"][0]
     assert first["pixels"] > 0 and first["source"].startswith("broken.py:")
     assert why(tmp_path / "mended.py", case.frame, case.pixel)["causes"] == []
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_what_is_meant_is_not_blamed(name, tmp_path):
+    case = RIGHT[name]
+    (tmp_path / "right.py").write_text(case.source())
+    found = why(tmp_path / "right.py", case.frame, case.pixel)
+    assert found["causes"] == [], found
 
 
 def test_every_cause_has_its_texts_and_stands_in_the_documentation():
