@@ -678,8 +678,12 @@ glPopAttrib()
         + "glEnableClientState(GL_VERTEX_ARRAY)\nglEnableClientState(GL_COLOR_ARRAY)\n"
         + "glVertexPointer(2, GL_FLOAT, 0, data)\nglColorPointer(3, GL_FLOAT, 0, colors)\n"
         + "glNormal3f(0, 0, 1)\n",
-        CLEAR + "glDrawArrays(GL_TRIANGLES, 0, 3)\n",
+        CLEAR
+        + "glDrawArrays(GL_TRIANGLES, 0, 3)\nglPushAttrib(GL_ALL_ATTRIB_BITS)\n"
+        + "glDisable(GL_LIGHTING)\nglDisable(GL_COLOR_MATERIAL)\nglRectf(0, 0, 240, 20)\n"
+        + "glPopAttrib()\n",
         ("glNormal3f", "glEnable(GL_COLOR_MATERIAL)\nglNormal3f"),
+        frame=1,
     ),
     "texture disabled, never enabled": Case(
         ("texture-off",),

@@ -197,7 +197,8 @@ def sets(
     result: dict[str, None] = {}
     for template in SETS[found.base].split():
         result |= dict.fromkeys(_filled(template, values, state))
-    if found.base in ("glColor", "glColorMaterial") or values.get("cap") == "GL_COLOR_MATERIAL":
+    follows = found.base == "glEnable" and values.get("cap") == "GL_COLOR_MATERIAL"
+    if follows or found.base in ("glColor", "glColorMaterial"):
         result |= dict.fromkeys(_tracked(values, state))
     return tuple(name for name in result if name not in NOT_LISTED)
 

@@ -517,16 +517,33 @@ def _color_material(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     if not any(_colorful(d) for d in colored):
         return
 
+    first = colored[0]
+    color = first.setter("GL_CURRENT_COLOR")
+    if first.state["GL_COLOR_ARRAY"]:
+        color = first.setter("GL_COLOR_ARRAY_POINTER") or color
     yield Suspect(
         "no-color-material",
-        at=colored[0].setter("GL_LIGHTING") or colored[0].setter("GL_CURRENT_COLOR"),
+        at=_enabled_by(survey, first, "GL_LIGHTING") or color,
         change=on("GL_COLOR_MATERIAL", colored),
         strength=87,
         state="GL_COLOR_MATERIAL",
         value=False,
-        values={"color": _line(colored[0].setter("GL_CURRENT_COLOR"))},
+        values={"color": _line(color)},
         draws=colored,
     )
+
+
+def _enabled_by(survey: Survey, draw: Drawn, name: str) -> Call | None:
+    """Return the call that enabled something for a draw.
+
+    It is not the one that switched it last, where a glPopAttrib has brought it back.
+    """
+    setter = draw.setter(name)
+    if setter is None or setter.name == "glEnable":
+        return setter
+    earlier = survey.tape.calls[: draw.number]
+    enabling = [c for c in earlier if c.name == "glEnable" and int(c.args[0]) == int(cap(name))]
+    return enabling[-1] if enabling else setter
 
 
 def _color_elsewhere(mine: Sequence[Drawn]) -> Iterator[Suspect]:
