@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from framelens.gl import extensions, foreign, seam
+from framelens.gl import extensions, seam
 from framelens.spec.spec import kind_of
 from landscape.gl.features import FEATURES
 
@@ -142,14 +142,14 @@ class Driver:
 @contextmanager
 def emulated(driver: Driver) -> Iterator[Driver]:
     """Let the program meet a driver in the block; its contexts must be opened in it, too."""
-    original = foreign.original
+    original = seam.original
 
     def own(name: str) -> Any:
         value = original(name)
         return driver.wrapped(name, value) if name.startswith("gl") and callable(value) else value
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(foreign, "original", own)
+        patch.setattr(seam, "original", own)
         patch.setattr(extensions, "_known", {})
         patch.setattr(extensions, "_units", {})
         patch.setattr(extensions, "_told", set())

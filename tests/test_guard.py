@@ -8,6 +8,7 @@ import subprocess
 import sys
 import textwrap
 import time
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -266,8 +267,15 @@ def test_a_signal_to_the_command_alone_interrupts_the_program(tmp_path: Path) ->
     path = tmp_path / "program.py"
     path.write_text(BEGIN + 'open("begun", "w").close()\nwhile True:\n    pass\n')
     words = (sys.executable, "-c", RUN, "60", "60", "copied", "trace", str(path))
+    # A test run in the background ignores SIGINT, which a child inherits.
+    heeded = partial(signal.signal, signal.SIGINT, signal.default_int_handler)
     command = subprocess.Popen(
-        words, stderr=subprocess.PIPE, text=True, env=environment(), cwd=tmp_path
+        words,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment(),
+        cwd=tmp_path,
+        preexec_fn=heeded,
     )
     while not (tmp_path / "begun").exists() and command.poll() is None:
         time.sleep(0.01)

@@ -50,7 +50,7 @@ def test_a_stack_that_grows_is_told_though_the_picture_is_right(left: str, tmp_p
     path.write_text(code.replace("    glBegin(GL_QUADS)\n", f"    {left}\n    glBegin(GL_QUADS)\n"))
     with Grader(100) as grader:
         report = grader.check(path)
-    failed = [result.test.key for result in report.results if not result.passed]
+    failed = [result.test.key for result in report.results if result.passed is False]
     assert failed == ([] if left == "glFlush()" else ["stacks"])
 
 

@@ -10,6 +10,7 @@ from commands import SECONDS, environment
 # Sends Ctrl-C to its own process when a module is looked for.
 INTERRUPTED = """
 import os, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored by what runs in the background
 package, module = sys.argv[1:]
 class Finder:
     def find_spec(self, name, path=None, target=None):

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from framelens.system import containment, limits
-from landscape.course.grader import confinement, shaders
+from landscape.course.grader import confinement, shader_cache
 from landscape.course.grader.confinement import LANDLOCK, NONE, PYTHON, REQUIRE
 from landscape.course.grader.sandbox import FILE_BYTES, GRACE, NEEDS_SCREEN, NO_SYSTEM
 from landscape.course.grader.stream import send
@@ -59,7 +59,7 @@ class Prepared:
             self.reason = NEEDS_SCREEN
         else:
             self.contained = LANDLOCK
-            self.shaders = shaders.folder()
+            self.shaders = shader_cache.folder()
 
     def give_up(self, reason: str) -> None:
         """Let Python alone contain the programs."""
@@ -149,7 +149,7 @@ def run_program(
 
 def _confine(job: dict[str, Any], folder: Path, ours: Prepared) -> None:
     """Leave this process to what its program may have; its home is its own folder."""
-    written = shaders.use(ours.shaders, folder, job["trusted"])
+    written = shader_cache.use(ours.shaders, folder, job["trusted"])
     os.environ["HOME"] = str(folder)
     readable = [ours.shaders] if ours.shaders is not None else []
     confinement.confine(Path(job["path"]), readable, [folder, *written])
