@@ -713,6 +713,34 @@ glPopAttrib()
 }
 
 RIGHT = {
+    "a shape with a texture, and without": Case(
+        (),
+        CAMERA
+        + IMAGE
+        + "\n\ndef square():\n"
+        + "".join(f"    {line}\n" for line in TEXTURED.splitlines())
+        + "\n\n",
+        BEGIN
+        + "glTranslatef(-1.1, 0, -1)\nglEnable(GL_TEXTURE_2D)\nglColor3f(1, 1, 1)\nsquare()\n"
+        + "glDisable(GL_TEXTURE_2D)\nglRectf(0, 1.2, 1, 1.5)\nglTranslatef(2.2, 0, 0)\n"
+        + "glColor3f(0.9, 0.5, 0.2)\nsquare()\n",
+        pixel=(160, 90),
+    ),
+    "a sky around of the colour that was cleared": Case(
+        (),
+        CAMERA
+        + "texture = int(np.ravel(glGenTextures(1))[0])\n"
+        + "glBindTexture(GL_TEXTURE_CUBE_MAP, texture)\n"
+        + "glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_NEAREST)\n"
+        + "for k in range(6):\n"
+        + "    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + k, 0, GL_RGB, 1, 1, 0, GL_RGB,\n"
+        + "                 GL_UNSIGNED_BYTE, np.array([0, 0, 255], np.uint8))\n"
+        + "glClearColor(0, 0, 1, 1)\n",
+        BEGIN
+        + "glColor3f(1, 1, 1)\nglRectf(-3, -2, 3, -1.2)\nglEnable(GL_TEXTURE_CUBE_MAP)\n"
+        + "glRectf(-1, -1, 1, 1)\nglDisable(GL_TEXTURE_CUBE_MAP)\n",
+        pixel=(120, 90),
+    ),
     "light painted into a texture": Case(
         (),
         CAMERA + IMAGE + "glEnable(GL_LIGHT0)\nglEnable(GL_TEXTURE_2D)\n",

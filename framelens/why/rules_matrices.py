@@ -24,7 +24,7 @@ from framelens.why.mends import (
     undone,
 )
 from framelens.why.survey import Drawn, Survey
-from framelens.why.suspects import Suspect, at_of, lens, matrix_of, with_matrix, written
+from framelens.why.suspects import Suspect, at_of, lens, matrix_of, textured, with_matrix, written
 from framelens.why.trial import NOTHING, Change
 
 
@@ -500,7 +500,7 @@ def _left_mode(survey: Survey) -> Iterator[Suspect]:
             if _set_back(survey, call) or isinstance(at_of(survey, call), GluCall):
                 continue
             after = next((d for d in survey.shapes if d.number > call.number), None)
-            if mode == "GL_TEXTURE" and (after is None or any(after.state[n] for n in TEXTURES)):
+            if mode == "GL_TEXTURE" and (after is None or textured(after)):
                 continue
             if mode == "GL_PROJECTION" and after is not None and survey.seen(after):
                 continue  # it shows something, so it may be meant
@@ -526,12 +526,6 @@ def _first_of_object(survey: Survey, call: Call) -> Call:
         if earlier.name.startswith(MATRIX):
             first = earlier
     return first
-
-
-TEXTURES = tuple(
-    f"GL_TEXTURE{unit}.GL_TEXTURE_{kind}"
-    for unit, kind in ((0, "1D"), (0, "2D"), (0, "3D"), (0, "CUBE_MAP"), (1, "2D"))
-)
 
 
 def _set_back(survey: Survey, call: Call) -> bool:

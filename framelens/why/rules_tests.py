@@ -27,6 +27,7 @@ from framelens.why.suspects import (
     perspective,
     shows_elsewhere,
     surrounds,
+    textured,
     with_matrix,
     with_planes,
     with_state,
@@ -419,7 +420,7 @@ def near_zero(survey: Survey) -> Iterator[Suspect]:
 def _blended(group: list[Drawn]) -> Iterator[Suspect]:
     """Yield what leaves the pixels of fragments that pass as they were."""
     yield from _by_logic(group)
-    plain = [draw for draw in group if not draw.state["GL_TEXTURE0.GL_TEXTURE_2D"]]
+    plain = [draw for draw in group if not textured(draw)]
     yield from _without_effect(plain)
     yield from _same_color(plain)
 

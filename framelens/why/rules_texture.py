@@ -345,12 +345,18 @@ def _meant_plain(survey: Survey, draw: Drawn) -> bool:
     """Return whether a program that textures other things disables it for this one, too.
 
     It does if the first thing drawn after that glDisable has coordinates, or if it disables
-    texturing somewhere, and has not enabled it yet.
+    texturing somewhere, and has not enabled it yet; and if the same line draws with a texture as
+    well, whose coordinates come with the shape, and none is bound after the glDisable.
     """
     setter = draw.setter(ENABLED)
     if setter is None:
         texture = int(gl.GL_TEXTURE_2D)
         return any(c.name == "glDisable" and int(c.args[0]) == texture for c in survey.calls)
+    shared = any(d.state[ENABLED] and d.call.source == draw.call.source for d in survey.shapes)
+    binding = draw.setter(BOUND)
+    late = in_frame(survey, setter) and in_frame(survey, binding)
+    if shared and not (late and binding is not None and binding.number > setter.number):
+        return True
     after = [d for d in survey.shapes if d.setter(ENABLED) is setter]
     return setter.name == "glDisable" and _has_coords(after[0])
 

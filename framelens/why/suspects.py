@@ -154,6 +154,17 @@ def shows_elsewhere(survey: Survey, draws: Sequence[Drawn], name: str) -> bool:
     )
 
 
+TEXTURES = tuple(
+    f"GL_TEXTURE{unit}.GL_TEXTURE_{kind}"
+    for unit, kind in ((0, "1D"), (0, "2D"), (0, "3D"), (0, "CUBE_MAP"), (1, "2D"))
+)
+
+
+def textured(draw: Drawn) -> bool:
+    """Return whether textures of some kind are enabled for a draw."""
+    return any(draw.state[name] for name in TEXTURES)
+
+
 def closed(draw: Drawn) -> bool:
     """Return whether a draw is a closed shape: a solid of GLUT, or one whose edges all meet."""
     if draw.call.name.startswith("glutSolid"):
