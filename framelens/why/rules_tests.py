@@ -624,7 +624,7 @@ def _alpha(draw: Drawn) -> float:
 def blend_missing(survey: Survey) -> Iterator[Suspect]:
     """A translucent colour or image without blending."""
     shapes = [draw for draw in survey.shapes if draw.passed]
-    if any(draw.state["GL_BLEND"] for draw in shapes):
+    if any(draw.state["GL_BLEND"] for draw in survey.shapes):
         yield from _function_alone(survey, shapes)
         yield from _solid_at_pixel(shapes)
         return
