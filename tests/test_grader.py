@@ -118,6 +118,13 @@ def test_a_program_that_cannot_be_graded_says_why(
     assert report.error.get("line", 5) >= 5 and not report.results and not report.passed
 
 
+def test_a_program_without_a_toolkit_is_told_so(grader: Grader, tmp_path: Path) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text("# exercise: winding\nwhile True:\n    pass\n")
+    error = grader.check(path).error
+    assert error is not None and error["word"] == "no_toolkit"
+
+
 def test_a_forged_error_is_still_one_line(grader: Grader, tmp_path: Path) -> None:
     error = {"word": "raised", "line": "1\n2", "error": "x\n" * 9999}
     report = checked(grader, tmp_path, HEAD + FORGE.format(json.dumps({"error": error})))

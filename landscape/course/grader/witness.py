@@ -96,14 +96,6 @@ def _trouble(
             trouble["word"] = "early"  # where calls without a context are errors, as on Windows
         return trouble
 
-    if "shows a frame before" in str(error):
-        return {"word": "no_context"}
-    if witness.window is None:
-        return {"word": "late_window" if late else "no_window"}
-    if late:
-        return {"word": "late_frame" if witness.ended else "no_frame", "frames": witness.ended}
-    if "ended after" in str(error):
-        return {"word": "ended", "frames": witness.ended}
     reason = str(error).partition(": ")[2]
     for part, word in (
         ("opens two windows", "two_windows"),
@@ -112,7 +104,14 @@ def _trouble(
     ):
         if part in reason:
             return {"word": word}
-
+    if "shows a frame before" in reason:
+        return {"word": "no_context"}
+    if witness.window is None:
+        return {"word": "late_window" if late else "no_window"}
+    if late:
+        return {"word": "late_frame" if witness.ended else "no_frame", "frames": witness.ended}
+    if "ended after" in str(error):
+        return {"word": "ended", "frames": witness.ended}
     return {"word": "refused", "reason": reason}
 
 
