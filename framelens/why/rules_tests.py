@@ -625,7 +625,7 @@ def blend_missing(survey: Survey) -> Iterator[Suspect]:
     """A translucent colour or image without blending."""
     shapes = [draw for draw in survey.shapes if draw.passed]
     if any(draw.state["GL_BLEND"] for draw in survey.shapes):
-        yield from _function_alone(survey, shapes)
+        yield from _function_alone(survey)
         yield from _solid_at_pixel(shapes)
         return
     if not shapes:
@@ -663,13 +663,13 @@ def _solid_at_pixel(shapes: list[Drawn]) -> Iterator[Suspect]:
             yield _without_blending([draw], draw.call, [], alpha=alpha, strength=58)
 
 
-def _function_alone(survey: Survey, shapes: list[Drawn]) -> Iterator[Suspect]:
+def _function_alone(survey: Survey) -> Iterator[Suspect]:
     """Yield that blending has a function for some draws of a frame, and is not enabled for them.
 
     The function must be set in the frame, after blending was switched off for something else.
     """
     groups: dict[int, list[Drawn]] = {}
-    for draw in shapes:
+    for draw in survey.shapes:
         setter = draw.setter("GL_BLEND_SRC_RGB")
         if in_frame(survey, setter):
             groups.setdefault(id(setter), []).append(draw)
@@ -679,7 +679,7 @@ def _function_alone(survey: Survey, shapes: list[Drawn]) -> Iterator[Suspect]:
         if setter is None or any(draw.state["GL_BLEND"] for draw in mine):
             continue
         if not in_frame(survey, switch) or (switch is not None and switch.number < setter.number):
-            yield from _blending_asked_for(mine, setter)
+            yield from _blending_asked_for([draw for draw in mine if draw.passed], setter)
 
 
 def _blending_asked_for(shapes: list[Drawn], setter: Call) -> Iterator[Suspect]:
