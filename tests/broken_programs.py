@@ -713,6 +713,17 @@ glPopAttrib()
 }
 
 RIGHT = {
+    "one lamp after the other": Case(
+        (),
+        CAMERA + CUBE + LIGHT + "glEnable(GL_COLOR_MATERIAL)\n",
+        BEGIN
+        + "glLightfv(GL_LIGHT0, GL_POSITION, (0, 3, 3, 1))\nglDisable(GL_LIGHT0)\n"
+        + "glLightfv(GL_LIGHT1, GL_POSITION, (3, 0, 3, 1))\n"
+        + "glLightfv(GL_LIGHT1, GL_DIFFUSE, (1, 1, 1, 1))\nglEnable(GL_LIGHT1)\n"
+        + TURNED
+        + "glDisable(GL_LIGHT1)\nglEnable(GL_LIGHT0)\n",
+        pixel=(120, 90),
+    ),
     "a shape with a texture, and without": Case(
         (),
         CAMERA

@@ -122,6 +122,9 @@ def _set_and_off(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     setters = mine[-1].setters.last
     for name in LIGHTS:
         set_by = next((c for v, c in setters.items() if v.startswith(f"{name}.")), None)
+        switch = mine[-1].setter(name)
+        if not dark and switch is not None and switch.name == "glDisable":
+            continue
         if set_by is not None and not any(d.state[name] for d in mine):
             yield Suspect(
                 "light-off",
