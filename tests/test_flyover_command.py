@@ -170,6 +170,7 @@ def test_the_island_is_written_as_an_environment_and_flown(tmp_path: Path) -> No
         (("export",), "flyover export: expected the name of the file to write"),
         (("export", "a.png"), "a.png: expected a name that ends in .svg"),
         (("export", "a.svg", "--bench"), "flyover export: expected neither --bench"),
+        (("export", "a.svg", "--export", "b"), "flyover export: writes the island"),
         (("--fps", "0"), "--fps 0: expected a number above 0"),
         (("--fps", "nan"), "--fps: 'nan'"),
         (("--frames", "0", "--bench"), "--frames 0: expected a number from 1"),

@@ -104,6 +104,17 @@ def test_an_export_that_is_impossible_leaves_nothing(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder.svg"]
 
 
+def test_the_island_is_not_written_over_a_drawing(tmp_path: Path) -> None:
+    path = tmp_path / "mine.svg"
+    path.write_text("<svg/>")
+    with pytest.raises(InputError, match=r"mine\.svg: is there already"):
+        export_island(path)
+    assert path.read_text() == "<svg/>"
+    path.unlink()
+    export_island(path)
+    export_island(path)  # of its own it may be written again
+
+
 def test_the_sea_of_the_island_is_white_and_the_summit_is_dark() -> None:
     image = open_environment("island").image
     assert (image[0] == image[0, 0]).all() and image[0, 0] == image.max() > 250

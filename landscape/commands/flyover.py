@@ -180,6 +180,8 @@ def export(options: argparse.Namespace) -> int:
         raise InputError("flyover export: expected the name of the file to write, such as mine.svg")
     if options.bench or options.out is not None or options.frames is not None:
         raise InputError("flyover export: expected neither --bench nor --out nor --frames")
+    if options.folder is not None:
+        raise InputError("flyover export: writes the island; expected no --export")
     path = Path(options.export)
     export_island(path)
     if not options.quiet:

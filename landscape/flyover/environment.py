@@ -130,9 +130,16 @@ def checked(environment: Environment, any_size: bool, path: Path | str = "") -> 
 def export_island(path: Path) -> None:
     """Write the environment of the island as an SVG for Inkscape, whole or not at all.
 
-    InputError if it cannot be written, or its name does not end in .svg: it could not be opened.
+    InputError if it cannot be written, its name does not end in .svg, so that it could not be
+    opened, or another drawing has it: somebody may have meant to read that one.
     """
     if path.suffix.lower() != ".svg":
         raise InputError("{path}: expected a name that ends in .svg", path=path)
-    text = environment_text(island.image(), [island.path()], island.targets())
-    write_whole(path, text.encode())
+    text = environment_text(island.image(), [island.path()], island.targets()).encode()
+    if path.is_file() and path.read_bytes() != text:
+        raise InputError(
+            "{path}: is there already, expected the name of a new file; what a drawing holds is "
+            "written by: flyover {path} --export DIR",
+            path=path,
+        )
+    write_whole(path, text)
