@@ -311,6 +311,8 @@ def test_a_setting_that_means_something_else_in_another_scene_is_listed_for_each
         "voxel",
     }
     assert "shadow of voxel: The sun's shadows." in shell("settings", "shadow").out
+    times = shell("settings", "time").out
+    assert "time of island:" in times and "time of voxel:" in times
 
 
 @pytest.mark.parametrize("name", ["shadow", "reflection", "refraction", "water"])

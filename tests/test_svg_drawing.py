@@ -61,7 +61,11 @@ def test_without_the_extra_a_drawn_map_is_refused_by_a_line_that_says_what_helps
 @pytest.mark.parametrize(
     ("drawing", "what"),
     [
-        (image() + CIRCLE, "shapes over the height image"),
+        (image() + CIRCLE, "shapes over the height image: left out"),
+        (
+            image(more='opacity="0.5"') + CIRCLE,
+            "shapes over the height image and the height image's opacity",
+        ),
         (image(more='opacity="0.5"'), "the height image's opacity"),
         (image(more='style="opacity:50%"'), "the height image's opacity"),
         (f'<g opacity="0.5">{image()}</g>', "the height image's opacity"),

@@ -125,10 +125,12 @@ def as_text(found: Sequence[Row]) -> Iterator[str]:
         if f"{row['scene']}.{name}" != group:
             yield from ([""] if group else [])
             group = f"{row['scene']}.{name}"
+            where = f" of {row['scene']}" if len(scenes[name]) > 1 else ""
             if row["key"] not in declare.words(kind):
                 about = getattr(_named(row["scene"]).settings, name).__doc__ or ""
-                where = f" of {row['scene']}" if len(scenes[name]) > 1 else ""
                 yield from textwrap.wrap(f"{name}{where}: {about.splitlines()[0]}", WIDTH)
+            elif where:
+                yield f"{name}{where}:"
         yield from _lines(row, kind)
 
 

@@ -164,7 +164,9 @@ def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, 
     faded = place.faded or element.faded
     if not (found.shapes or faded):
         return image, to_pixels, ()
-    what = "shapes over the height image" if found.shapes else "the height image's opacity"
+    left_out = ["shapes over the height image"] * bool(found.shapes)
+    left_out += ["the height image's opacity"] * faded
+    what = " and ".join(left_out)
     turned = np.abs(to_pixels[[0, 1], [1, 0]]).max() > 1e-9
     if turned or svg_drawing.rasteriser() is None:
         why = "the image is turned" if turned else f"to draw them, {svg_drawing.EXTRA}"
