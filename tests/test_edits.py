@@ -95,7 +95,7 @@ IN_THE_FRAME = {
         0.8,
     ),
     "point size of the map": Case(
-        *MAP, "max(5.0 * frame.detail.scale, 1.0)", "9.0", "glPointSize(", 0, 9.0
+        *MAP, "5.0 * frame.detail.scale", "9.0", "glPointSize(", 0, 9.0
     ),
     "viewport of the map": Case(
         *MAP,
