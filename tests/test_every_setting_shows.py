@@ -91,6 +91,7 @@ STONY = of_fix("best4")
 GLINTING = of_fix("best3", settings={**of_fix("best3").settings, "water.glitter": 0.35})
 WOODED: dict[str, Any] = {"trees.count": 900, "trees.grouped": True, "trees.variety": True}
 HUGE: dict[str, Any] = {"trees.count": 900, "trees.size_min": 15.0, "trees.size_max": 15.0}
+WHOLE = {"ground.detail_repeat": 40.0, "ground.tiles": 1}  # the ground as of 2006, in one piece
 SHOTS = {
     "time": Shot(BAY, ("ground", "fog", "sky")),
     "sun.tint": replace(GROUPS["ground"], value=(0.6, 0.5, 0.4)),
@@ -114,9 +115,10 @@ SHOTS = {
     "ground.clip": replace(GROUPS["ground"], pose=SEA),
     "ground.texture_size": replace(GROUPS["ground"], value=16),
     "ground.mid_repeat": replace(GROUPS["ground"], settings=MATERIALS, value=13.0),
+    "ground.lit": replace(GROUPS["ground"], settings=WHOLE),
     "ground.passes": replace(
         GROUPS["ground"],
-        settings={"ground.detail_repeat": 40.0, "fog.density": 0.3},
+        settings=WHOLE | {"fog.density": 0.3},
         only=("ground", "fog"),
     ),
     "ground.subdivide": of_fix(
