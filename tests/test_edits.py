@@ -94,9 +94,7 @@ IN_THE_FRAME = {
         1,
         0.8,
     ),
-    "point size of the map": Case(
-        *MAP, "5.0 * frame.detail.scale", "9.0", "glPointSize(", 0, 9.0
-    ),
+    "point size of the map": Case(*MAP, "5.0 * frame.detail.scale", "9.0", "glPointSize(", 0, 9.0),
     "viewport of the map": Case(
         *MAP,
         "gl.glViewport(0, 3 * height // 4, width // 4, height // 4)",
