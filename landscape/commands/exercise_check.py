@@ -17,7 +17,7 @@ from framelens.commands.parser import language_option
 from framelens.system import quoted
 from landscape.commands import exercise_class
 from landscape.commands.exercise_list import json_text
-from landscape.course.exercise import Exercise, Grader, Report
+from landscape.course.exercise import Exercise, Grader, Report, verdicts
 from landscape.course.grader.budget import MOST_SECONDS, SECONDS
 from landscape.course.grader.confinement import AUTO, CHOICES, LANDLOCK, PYTHON
 from landscape.course.grader.grading import MOST, _
@@ -150,29 +150,11 @@ def _plain(picture: np.ndarray) -> bool:
 
 
 def as_json(report: Report, _: Translator) -> dict[str, Any]:
-    """Return a report as JSON; "passed" of a test is null if it was not made.
-
-    "otherwise": the test has passed because the picture is right, not by what it looks for.
-    """
-    made = {result.test.key: result for result in report.results}
-    tests = []
-    for test in report.tests:
-        result = made.get(test.key)
-        told = result.hint if result is not None else None
-        tests.append(
-            {
-                "name": _(test.name),
-                "passed": result.passed if result is not None else None,
-                "rationale": _(test.rationale),
-                "hint": told.written(_) if told is not None else "",
-                "otherwise": result is not None and result.otherwise,
-            }
-        )
-
+    """Return a report as JSON; "passed" of a test is null if it was not made."""
     found: dict[str, Any] = {
         "exercise": report.exercise.name,
         "passed": report.passed,
-        "tests": tests,
+        "tests": verdicts(report, _),
         "picture_difference": report.difference,
         "contained": report.contained,
     }

@@ -43,6 +43,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             "results.json for each submission, as Gradescope reads it; may be given several times"
         ),
     )
+
+    # For Moodle.
     own.add_argument(
         "--worksheet",
         type=Path,
@@ -55,6 +57,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE.zip",
         help=_("write a zip of feedback files for Moodle, a page for each student"),
     )
+
+    # How it is graded.
     own.add_argument(
         "--points",
         type=_points,

@@ -149,6 +149,29 @@ class Report:
         return bool(self.results) and all(result.passed for result in self.results)
 
 
+def verdicts(report: Report, translate: Translator) -> list[dict[str, Any]]:
+    """Return what is said of each test: name, passed, rationale, hint and otherwise.
+
+    "passed" is None if it was not made. "otherwise": it has passed because the picture is right,
+    not by what it looks for.
+    """
+    results = {result.test.key: result for result in report.results}
+    tests = []
+    for test in report.tests:
+        result = results.get(test.key)
+        hint = result.hint if result is not None else None
+        tests.append(
+            {
+                "name": translate(test.name),
+                "passed": result.passed if result is not None else None,
+                "rationale": translate(test.rationale),
+                "hint": hint.written(translate) if hint is not None else "",
+                "otherwise": result is not None and result.otherwise,
+            }
+        )
+    return tests
+
+
 def paragraphs(docstring: str) -> list[str]:
     """Return the paragraphs of a docstring, each on one line."""
     return [" ".join(part.split()) for part in re.split(r"\n\s*\n", docstring.strip())]

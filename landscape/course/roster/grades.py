@@ -21,7 +21,7 @@ from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import png
 from framelens.base.texts import said, translator
 from framelens.system.processes import cores
-from landscape.course.exercise import Grader, Report
+from landscape.course.exercise import Grader, Report, verdicts
 from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import Hint
@@ -37,7 +37,7 @@ WIDEST = 960  # chosen: pixels of the picture of a page, of three side by side
 class Row:
     """What a submission is given; the fields are those of the tables.
 
-    ``tests``: {"name", "passed", "hint"} of each. ``hint`` is that of the first test that failed,
+    ``tests``: {"name", "passed", "hint"} of each. ``hint`` comes from the first test that failed,
     ``line`` the line of the program that it names, or 0. ``error`` says why it was not graded.
     """
 
@@ -182,19 +182,10 @@ _open: Kept[_Opened] = Kept()
 
 def _values(report: Report, rules: Rules) -> dict[str, Any]:
     translate = report.exercise.translate.to(rules.language)
-    made = {result.test.key: result for result in report.results}
-    tests = []
-    for test in report.tests:
-        result = made.get(test.key)
-        told = result.hint if result is not None else None
-        tests.append(
-            {
-                "name": translate(test.name),
-                "passed": result.passed if result is not None else None,
-                "hint": told.written(translate) if told is not None else "",
-            }
-        )
-
+    tests = [
+        {name: test[name] for name in ("name", "passed", "hint")}
+        for test in verdicts(report, translate)
+    ]
     first = next((result.hint for result in report.results if result.hint is not None), None)
     right = sum(test["passed"] is True for test in tests)
     whole = rules.points if rules.points is not None else float(len(tests))

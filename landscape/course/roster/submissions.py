@@ -126,6 +126,7 @@ def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
     try:
         with archive.open(entry) as file:
             data = file.read(MOST_BYTES + 1)
+    # zipfile has no common error: RuntimeError is for a password, NotImplementedError for a method.
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, NotImplementedError):
         raise InputError("{file}: is damaged or encrypted", file=entry.filename) from None
     if len(data) > MOST_BYTES:
