@@ -17,11 +17,12 @@ import pytest
 
 from framelens.base.errors import InputError, UnexpectedError
 from framelens.system import containment, limits
-from landscape.course.exercise import FOLDER, Grader, Report, _syntax, exercise
+from landscape.course.exercise import Grader, Report, _syntax
 from landscape.course.grader import evidence_file, stream, workplace
 from landscape.course.grader.confinement import LANDLOCK, NONE, PYTHON, REQUIRE
 from landscape.course.roster.grades import Rules, grade_class
 from landscape.course.roster.submissions import Submission
+from landscape.course.shelf import FOLDER, exercise
 
 pytestmark = [
     pytest.mark.posix_only("the system contains no programs"),

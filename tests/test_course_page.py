@@ -6,9 +6,9 @@ from folded import each
 from register import ROOT
 
 from landscape.course import ladder
-from landscape.course.exercise import NAMES as EXERCISES
 from landscape.course.lecture import plan as lecture
 from landscape.course.pages import blocks, cells
+from landscape.course.shelf import NAMES as EXERCISES
 
 PAGE = ROOT / "docs" / "course.md"
 PROGRAMS = ROOT / "landscape" / "course" / "lessons" / "programs"

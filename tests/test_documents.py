@@ -15,8 +15,8 @@ from landscape.cli import parse
 from landscape.commands import flyover as flyover_command
 from landscape.commands.settings_list import rows as settings_rows
 from landscape.course import ladder
-from landscape.course.exercise import NAMES as EXERCISES
 from landscape.course.pages import by_cell, cells, has_words
+from landscape.course.shelf import NAMES as EXERCISES
 from landscape.flyover.environment import NAMES as ENVIRONMENTS
 from landscape.gallery.panels import named_panels
 from landscape.scene.scene import SCENES, find_view, scene

@@ -9,9 +9,10 @@ import pytest
 from folded import each
 
 from landscape.commands.exercise_check import as_json, as_text
-from landscape.course.exercise import HOLE, NAMES, Grader, Report, exercise, start
+from landscape.course.exercise import Grader, Report
 from landscape.course.grader.grading import UNLIKE, Hint
 from landscape.course.grader.mutants import mutants
+from landscape.course.shelf import HOLE, NAMES, exercise, start
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 

@@ -6,10 +6,10 @@ import re
 import pytest
 
 from landscape.commands.lesson import described
-from landscape.course.exercise import NAMES as EXERCISES
-from landscape.course.exercise import exercise, start
 from landscape.course.ladder import NAMES, lesson
 from landscape.course.program_texts import lines, texts, translated
+from landscape.course.shelf import NAMES as EXERCISES
+from landscape.course.shelf import exercise, start
 
 PROGRAM = '''\
 # topic: window

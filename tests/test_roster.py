@@ -13,10 +13,10 @@ from commands import landscape, refused
 
 from framelens.base.errors import InputError
 from framelens.base.executor import Here
-from landscape.course.exercise import exercise
 from landscape.course.roster import grades, moodle, tables
 from landscape.course.roster.grades import Row, Rules, grade_class
 from landscape.course.roster.submissions import MOST_BYTES, submissions
+from landscape.course.shelf import exercise
 
 FOLDER = "{}_{}_assignsubmission_file"
 HEADERS = "Identifier,Full name,Grade,Last modified (grade),Feedback comments"

@@ -12,10 +12,11 @@ import pytest
 from framelens.base.errors import UnexpectedError
 from framelens.system import limits
 from landscape.commands.exercise_check import as_json
-from landscape.course.exercise import Grader, exercise
+from landscape.course.exercise import Grader
 from landscape.course.grader import sandbox
 from landscape.course.grader.evidence import Evidence
 from landscape.course.grader.sandbox import Job, Sandbox
+from landscape.course.shelf import exercise
 
 SECONDS = 20.0  # a program may take; the machine may be busy with other tests
 HEAD = "# exercise: winding\nimport os\nimport glfw\nfrom OpenGL.GL import *\n"

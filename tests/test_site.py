@@ -12,9 +12,9 @@ from PIL import Image
 from framelens.base.texts import LANGUAGES, translator
 from framelens.spec import spec
 from landscape.commands.lesson import described, program_described
-from landscape.course.exercise import NAMES, exercise
 from landscape.course.ladder import lessons, program_files
 from landscape.course.pages import as_markdown, blocks
+from landscape.course.shelf import NAMES, exercise
 from landscape.gallery.scene_captions import INTRODUCTIONS, STEPS, VIEW_TEXTS
 from landscape.scene.scene import scene
 

@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 from landscape.commands.exercise_check import as_text
-from landscape.course.exercise import Grader, Report, exercise
+from landscape.course.exercise import Grader, Report
 from landscape.course.grader.grading import UNFOLLOWED, Hint
 from landscape.course.grader.trial import HIGH, LAST, trial
+from landscape.course.shelf import exercise
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 END = "        glfw.swap_buffers(window)\n"

@@ -17,6 +17,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from numbers import Integral, Real
+from pathlib import Path
 from typing import Protocol
 
 from framelens import system
@@ -99,11 +100,12 @@ def typeset(french: str) -> str:
 
 
 @cache
-def translator(language: str, *domains: str) -> Translator:
+def translator(language: str, *domains: str | Path) -> Translator:
     """Return the function that translates the texts of these domains; the first that has one wins.
 
-    A domain is a catalogue, or a folder of them. A catalogue is read when its first text is asked
-    for, and kept. A text without a translation is returned as it is, and so is every text in a
+    A domain is a catalogue of the packages, or a folder of them; or the path of a user's folder, in
+    which LANGUAGE.po is the catalogue. A catalogue is read when its first text is asked for, and
+    kept. A text without a translation is returned as it is, and so is every text in a
     language that is not one of LANGUAGES. The function raises InputError if a catalogue cannot be
     read.
     """
@@ -156,19 +158,13 @@ def reworded(sentence: str, phrases: Phrases, _: Translator) -> str:
 
 
 @cache
-def _catalogue(language: str, domain: str) -> dict[tuple[str, str], str]:
+def _catalogue(language: str, domain: str | Path) -> dict[tuple[str, str], str]:
     """Return the translations of a domain by context and English text."""
     # Imported here: English needs no catalogue.
     import polib
 
     found: dict[tuple[str, str], str] = {}
-    places = [package.locale / language / domain for package in PACKAGES]
-    files = [
-        path
-        for place in places
-        for path in (place.with_name(f"{place.name}.po"), *sorted(place.glob("*.po")))
-    ]
-    for path in files:
+    for path in _files(language, domain):
         if not path.is_file():
             continue
         try:
@@ -182,6 +178,18 @@ def _catalogue(language: str, domain: str) -> dict[tuple[str, str], str]:
                 text = typeset(entry.msgstr) if language == "fr" else entry.msgstr
                 found.setdefault((entry.msgctxt or "", entry.msgid), text)
     return found
+
+
+def _files(language: str, domain: str | Path) -> list[Path]:
+    """Return the files in which a domain's catalogues would be."""
+    if isinstance(domain, Path):
+        return [domain / f"{language}.po"]
+    places = [package.locale / language / domain for package in PACKAGES]
+    return [
+        path
+        for place in places
+        for path in (place.with_name(f"{place.name}.po"), *sorted(place.glob("*.po")))
+    ]
 
 
 class Wording:

@@ -17,17 +17,20 @@ from framelens.commands.parser import language_option
 from framelens.system import quoted
 from landscape.commands import exercise_class
 from landscape.commands.exercise_list import json_text
-from landscape.course.exercise import Exercise, Grader, Report, verdicts
+from landscape.commands.shelves import exercises_option, shelf
+from landscape.course.exercise import Grader, Report, verdicts
 from landscape.course.grader.budget import MOST_SECONDS, SECONDS
 from landscape.course.grader.confinement import AUTO, CHOICES, LANDLOCK, PYTHON
 from landscape.course.grader.grading import MOST, _
 from landscape.course.grader.troubles import sentence
+from landscape.course.shelf import Exercise
 
 EXAMPLE = "winding.py --heat-map difference.png"
 WIDTHS = 72, 100  # chosen: least and most columns of a report
 SHOWN = _("Where the picture differs: landscape exercise check {file} --heat-map difference.png")
 WHY = _("The picture is all of one colour: line {line}. {text} Mend: {mend}.")
 OTHERWISE = _("Your program does this in another way; its picture is right.")
+UNSEEN = _("{test} (not shown to students)")
 CONTAINED = {
     LANDLOCK: _("The system contained the program: by Landlock and a filter of its calls."),
     PYTHON: _("Only Python contained the program."),
@@ -70,6 +73,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             "so that only Python does; default: auto"
         ),
     )
+    exercises_option(parser)
     language_option(parser, "language of the texts")
     exercise_class.add_arguments(parser)
 
@@ -100,7 +104,8 @@ def run(options: argparse.Namespace) -> int:
                 "--heat-map {heat_map}: expected a name ending in .png", heat_map=options.heat_map
             )
         check_writable(options.heat_map, "--heat-map ")
-    with Grader(options.seconds, options.contain or AUTO) as grader:
+    exercises = shelf(options.exercises)
+    with Grader(options.seconds, options.contain or AUTO, shelf=exercises) as grader:
         report = grader.check(file)
         cause = first_cause(report, grader, language)
 
@@ -170,7 +175,8 @@ def as_text(report: Report, _: Translator, columns: int = WIDTHS[1]) -> list[str
     indent = " " * (width + 2)
     lines = [_title(report.exercise, _)]
     for result in report.results:
-        told = [_(result.test.name)]
+        name = _(result.test.name)
+        told = [_(UNSEEN).format(test=name) if result.test.hidden else name]
         if result.hint is not None:
             told.append(result.hint.written(_))
         elif result.otherwise:

@@ -14,6 +14,7 @@ from framelens.base.progress import Progress
 from framelens.base.texts import Translator, translator
 from framelens.commands.option_values import refusal
 from landscape import __version__
+from landscape.commands.shelves import shelf
 from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import _
 from landscape.course.roster import moodle, tables
@@ -134,6 +135,7 @@ def run(options: argparse.Namespace, language: str) -> int:
         version=__version__,
         again=options.again,
         contain=options.contain or AUTO,
+        exercises=shelf(options.exercises).folder,
     )
     with Progress(len(found), options.quiet or options.json) as progress:
         graded = grade_class(found, rules, options.due, progress.step, jobs=options.jobs)
@@ -182,7 +184,7 @@ def _write(
         elif kind == ".xml":
             write_whole(path, tables.as_junit(rows))
         elif kind == ".html":
-            write_whole(path, as_page(graded, language, _))
+            write_whole(path, as_page(graded, language, _, hidden=True))
         else:
             for number, row in enumerate(rows, 1):
                 name = f"{number:04}-{_file_name(row.student)}"

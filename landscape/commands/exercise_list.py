@@ -9,7 +9,8 @@ from typing import Any
 from framelens.base.texts import choose, translator
 from framelens.base.texts import marked as _
 from framelens.commands.parser import language_option
-from landscape.course.exercise import LEAD, NAMES, exercise
+from landscape.commands.shelves import exercises_option, shelf
+from landscape.course.shelf import LEAD
 
 EXAMPLE = "--json"
 
@@ -17,6 +18,7 @@ EXAMPLE = "--json"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.add_argument("--json", action="store_true", help=_("print JSON, with the tasks"))
+    exercises_option(parser)
     language_option(parser, "language of the texts")
 
 
@@ -25,8 +27,9 @@ def run(options: argparse.Namespace) -> int:
     language = options.lang or choose(os.environ)
     lead = translator(language, "course")(LEAD)
     rows = []
-    for name in NAMES:
-        found = exercise(name)
+    exercises = shelf(options.exercises)
+    for name in exercises.names:
+        found = exercises.exercise(name)
         own = found.translate.to(language)
         task = [own(text) for text in found.task]
         lessons = list(found.lessons)
@@ -36,7 +39,8 @@ def run(options: argparse.Namespace) -> int:
     else:
         for row in rows:
             print(f"{row['name']:20} {row['title']}")
-            print(" " * 20, lead.format(lessons=", ".join(row["lessons"])))
+            if row["lessons"]:
+                print(" " * 20, lead.format(lessons=", ".join(row["lessons"])))
     return 0
 
 

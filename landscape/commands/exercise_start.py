@@ -10,7 +10,8 @@ from framelens.base.texts import choose, translator
 from framelens.base.texts import marked as _
 from framelens.commands.parser import language_option
 from framelens.system import quoted
-from landscape.course.exercise import exercise, start
+from landscape.commands.shelves import exercises_option, shelf
+from landscape.course.shelf import start
 
 EXAMPLE = "winding --out mine.py"
 
@@ -25,13 +26,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=_("a file that is not there yet; default: NAME.py"),
     )
     parser.add_argument("-q", "--quiet", action="store_true", help=_("print nothing"))
+    exercises_option(parser)
     language_option(parser, "language of the texts")
 
 
 def run(options: argparse.Namespace) -> int:
     """Write the program, in a file that is not there yet; return the exit status."""
     language = options.lang or choose(os.environ)
-    found = exercise(options.name)
+    found = shelf(options.exercises).exercise(options.name)
     path = options.out or Path(f"{found.name}.py")
     if path.is_dir():
         path = path / f"{found.name}.py"

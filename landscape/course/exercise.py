@@ -1,27 +1,16 @@
-"""The exercises: which there are, what each asks, and checking a student's program.
-
-An exercise is a folder landscape/course/exercises/NAME; docs/exercises.md says what is in it.
-"""
+"""Checking a student's program: it is run beside the solution, and graded."""
 
 import ast
-import io
 import random
-import re
 import secrets
-import textwrap
-import tokenize
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
-from runpy import run_path
 from typing import Any
 
-from framelens.base.errors import InputError, short
-from framelens.base.input import read_bounded
-from framelens.base.texts import Translator, translator
-from landscape.course import program_texts
+from framelens.base.errors import InputError
+from framelens.base.texts import Translator
 from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.cause import told
 from landscape.course.grader.confinement import AUTO
@@ -31,98 +20,21 @@ from landscape.course.grader.grading import (
     Hint,
     Result,
     Test,
+    Text,
     _,
     difference,
     equal_pictures,
     grade,
+    hint,
     same_pictures,
-    tests_of,
 )
+from landscape.course.grader.grading_file import Grading, read_grading
 from landscape.course.grader.sandbox import FULL, LATE, Job, Outcome, Sandbox
 from landscape.course.grader.trial import Trial, broken_off, elsewhere, trial
-from landscape.course.grader.troubles import known
+from landscape.course.grader.troubles import SENTENCES, known
+from landscape.course.shelf import COURSE, Exercise, Shelf
 
-FOLDER = Path(__file__).resolve().parent / "exercises"
-# From one line to a page.
-NAMES: tuple[str, ...] = (
-    "missing_enable",
-    "window",
-    "first_drawing",
-    "primitives",
-    "winding",
-    "mesh_tables",
-    "homogeneous",
-    "perspective",
-    "look_at",
-    "transform_order",
-    "frames",
-    "matrix_stack",
-    "normals",
-    "light_position",
-    "materials",
-    "texture_coordinates",
-    "texture_filters",
-    "textured_sphere",
-    "fog",
-    "blending_order",
-    "clip_plane",
-    "vertex_arrays",
-    "billboard",
-    "second_viewport",
-    "mirror",
-    "planar_shadow",
-    "stencil_mirror",
-    "hidden_faces",
-    "shadow_map",
-    "projection",
-    "bresenham",
-    "line_clipping",
-    "back_faces",
-    "bezier_path",
-    "quad_tree",
-    "level_of_detail",
-    "floating_horizon",
-)
-HOLE = _("# Your code goes here.")
-LEAD = _("Lessons to read first: {lessons}.")
-MARKER = re.compile(r"^#\s*exercise:\s*(\S+)\s*$", re.MULTILINE)
-LESSONS = re.compile(r"^# lessons: (.+)$", re.MULTILINE)
-MOST_BYTES = 1 << 20  # chosen: of a program
-COLUMNS = 92  # chosen: of the task in a program
-
-
-@dataclass(frozen=True)
-class Exercise:
-    """One exercise; ``title`` and ``task`` (its paragraphs) are in English.
-
-    ``lessons``: the names of those that it builds on.
-    """
-
-    name: str
-    title: str
-    task: Sequence[str]
-    lessons: Sequence[str] = ()
-
-    @property
-    def folder(self) -> Path:
-        """The folder of its files."""
-        return FOLDER / self.name
-
-    @property
-    def translate(self) -> "Translate":
-        """What translates its texts."""
-        return Translate(self.name)
-
-
-@dataclass(frozen=True)
-class Translate:
-    """The translators of an exercise's texts, and of the grader's own."""
-
-    name: str
-
-    def to(self, language: str) -> Translator:
-        """Return the translator to a language."""
-        return translator(language, f"exercises/{self.name}", "course")
+HIDDEN = "hidden.py"  # tests that students do not see: an exercise may have some
 
 
 @dataclass(frozen=True)
@@ -150,10 +62,10 @@ class Report:
 
 
 def verdicts(report: Report, translate: Translator) -> list[dict[str, Any]]:
-    """Return what is said of each test: name, passed, rationale, hint and otherwise.
+    """Return what is said of each test: name, passed, rationale, hint, otherwise, hidden, points.
 
     "passed" is None if it was not made. "otherwise": it has passed because the picture is right,
-    not by what it looks for.
+    not by what it looks for. "hidden": students do not see it. "points": what it is worth.
     """
     results = {result.test.key: result for result in report.results}
     tests = []
@@ -167,85 +79,18 @@ def verdicts(report: Report, translate: Translator) -> list[dict[str, Any]]:
                 "rationale": translate(test.rationale),
                 "hint": hint.written(translate) if hint is not None else "",
                 "otherwise": result is not None and result.otherwise,
+                "hidden": test.hidden,
+                "points": test.points,
             }
         )
     return tests
 
 
-def paragraphs(docstring: str) -> list[str]:
-    """Return the paragraphs of a docstring, each on one line."""
-    return [" ".join(part.split()) for part in re.split(r"\n\s*\n", docstring.strip())]
-
-
-@cache
-def exercise(name: str) -> Exercise:
-    """Return the exercise of a name; InputError lists the names."""
-    if name not in NAMES:
-        raise InputError(
-            "{name}: expected an exercise, one of {names}", name=short(name), names=", ".join(NAMES)
-        )
-    code = (FOLDER / name / "start.py").read_text(encoding="utf-8")
-    title, *task = paragraphs(ast.get_docstring(ast.parse(code)) or "")
-    named = LESSONS.search(code)
-    return Exercise(name, title, task, named[1].split(", ") if named else ())
-
-
-def start(found: Exercise, language: str) -> str:
-    """Return the program that a student starts from, with its task in a language."""
-    code = (found.folder / "start.py").read_text(encoding="utf-8")
-    translated = found.translate.to(language)
-    texts = [translated(text) for text in (found.title, *found.task)]
-    texts.append(translated(LEAD).format(lessons=", ".join(found.lessons)))
-    parts = [textwrap.fill(text, COLUMNS) for text in texts]
-    # The names stay as they are: the language of OpenGL's is English.
-    program = program_texts.translated(code[code.index('"""', 3) + 3 :], translated)
-    return '"""' + "\n\n".join(parts) + '\n"""' + program.replace(HOLE, translated(HOLE))
-
-
-def named_in(path: Path) -> Exercise:
-    """Return the exercise that a student's file is of, by its line `# exercise: NAME`."""
-    if path.is_dir():
-        raise InputError(
-            "{path}: is a folder, expected a program written for an exercise", path=path
-        )
-    data = read_bounded(path, MOST_BYTES)
-    try:
-        encoding, _lines = tokenize.detect_encoding(io.BytesIO(data).readline)
-        text = data.decode(encoding)
-    except (SyntaxError, UnicodeDecodeError):
-        raise InputError("{path}: is not text, expected a Python program", path=path) from None
-
-    names = MARKER.findall(text)
-    if not names:
-        raise InputError(
-            "{path}: expected a line such as `# exercise: {names}`, which says of which "
-            "exercise it is; `landscape exercise start` writes it",
-            path=path,
-            names=NAMES[0],
-        )
-
-    if len(set(names)) > 1:
-        raise InputError(
-            "{path}: names two exercises, {first} and {second}; expected one",
-            path=path,
-            first=names[0],
-            second=names[1],
-        )
-    if names[0] not in NAMES:
-        raise InputError(
-            "{path}: {name}: expected an exercise, one of {names}",
-            path=path,
-            name=short(names[0]),
-            names=", ".join(NAMES),
-        )
-
-    return exercise(names[0])
-
-
-@cache
-def grading(name: str) -> dict[str, Any]:
-    """Return the names of an exercise's grading.py."""
-    return run_path(str(FOLDER / name / "grading.py"))
+def gradings(found: Exercise) -> tuple[Grading, Grading | None]:
+    """Return what an exercise looks at and tests, and the same of what students do not see."""
+    hidden = found.folder / HIDDEN
+    shown = read_grading(found.folder / "grading.py")
+    return shown, read_grading(hidden, hidden=True) if hidden.is_file() else None
 
 
 class Grader:
@@ -254,17 +99,26 @@ class Grader:
     ``seconds``: how long a program may take to its last frame. ``contain``: whether the system is
     to contain programs, "auto" where it can, "require" in any case, "none" (see sandbox.py).
     ``seed``: of the trials (trial.py), chosen by chance if it is left out, so that no program can
-    know them.
+    know them. ``shelf``: where the exercises lie.
     """
 
     def __init__(
-        self, seconds: float = SECONDS, contain: str = AUTO, seed: int | None = None
+        self,
+        seconds: float = SECONDS,
+        contain: str = AUTO,
+        seed: int | None = None,
+        shelf: Shelf = COURSE,
     ) -> None:
         self._seconds = seconds
         self._sandbox = Sandbox(contain)
         self._seed = secrets.randbits(64) if seed is None else seed
+        self._shelf = shelf
+        self._gradings: dict[Exercise, tuple[Grading, Grading | None]] = {}
+        # The evidence of the solutions by their names: as students know the tests, in trials, and
+        # for the tests that students do not see.
         self._solutions: dict[str, Evidence] = {}
-        self._elsewhere: dict[str, Evidence] = {}  # of the solutions, in trials
+        self._elsewhere: dict[str, Evidence] = {}
+        self._hidden: dict[str, Evidence] = {}
 
     def __enter__(self) -> "Grader":
         return self
@@ -278,15 +132,17 @@ class Grader:
         Where its pictures are right, it is run once more, in a trial. InputError if the file cannot
         be read, is of no exercise, or cannot be contained though it must be; NoOpenGLError.
         """
-        found = named_in(path)
-        names = grading(found.name)
-        tests = tests_of(names)
+        found = self._shelf.named_in(path)
+        if found not in self._gradings:
+            self._gradings[found] = gradings(found)
+        shown, hidden = self._gradings[found]
+        tests = [*shown.tests, *(hidden.tests if hidden is not None else ())]
         error = _syntax(path)
         if error is not None:
             return Report(found, tests, error=error)
 
         work, solution = self._run(
-            path, found, names["FRAMES"], names.get("EVENTS", ()), self._solutions.get(found.name)
+            path, found, shown.frames, shown.events, self._solutions.get(found.name)
         )
         self._solutions[found.name] = solution
         if not isinstance(work, Evidence):
@@ -296,19 +152,22 @@ class Grader:
         drawn = trial(code, random.Random(f"{self._seed} {found.name}"))
         last = elsewhere(drawn)
         told, equal = None, False
-        right = same_pictures(tests, work, solution)
+        right = same_pictures(shown.tests, work, solution)
         if right:
             told, equal = self._tried(path, found, drawn, last)
-        results = grade(tests, work, solution, equal and equal_pictures(work, solution))
+        results = grade(shown.tests, work, solution, equal and equal_pictures(work, solution))
         # The hint of another test that has failed says more of why the picture is wrong elsewhere.
         if right and all(result.passed for result in results):
             results.append(Result(last, told is None, told))
         else:
             results.append(Result(last, None))
+        if hidden is not None:
+            results += self._unseen(path, found, hidden, equal)
 
         most = max(difference(work.frame(n), solution.frame(n)) for n in solution.frames)
         contained = self._sandbox.contained
-        return Report(found, [*tests, last], results, most, None, work, solution, contained)
+        made = [result.test for result in results]
+        return Report(found, made, results, most, None, work, solution, contained)
 
     def _tried(
         self, path: Path, found: Exercise, drawn: Trial, test: Test
@@ -321,6 +180,22 @@ class Grader:
         if not isinstance(work, Evidence):
             return broken_off(work), False
         return test.check(work, solution), equal_pictures(work, solution)
+
+    def _unseen(self, path: Path, found: Exercise, hidden: Grading, equal: bool) -> list[Result]:
+        """Make the tests that students do not see, in a run of their own.
+
+        ``equal``: in the trial nothing differed.
+        """
+        work, solution = self._run(
+            path, found, hidden.frames, hidden.events, self._hidden.get(found.name)
+        )
+        self._hidden[found.name] = solution
+        if isinstance(work, Evidence):
+            return grade(hidden.tests, work, solution, equal and equal_pictures(work, solution))
+        reason = hint(Text(SENTENCES[str(work["word"])]), **work)
+        stopped = hint(_("In the run of the hidden tests this happens: {reason}"), reason=reason)
+        first, *others = hidden.tests
+        return [Result(first, False, stopped), *(Result(test, None) for test in others)]
 
     def _run(
         self,
@@ -337,8 +212,13 @@ class Grader:
         """
         model = found.folder / "solution.py"
         paths = [path] if solution is not None else [path, model]
+        private = [str(folder) for folder in self._shelf.own.values()]
         jobs = [
-            Job(str(each), frames, events, calls, self._seconds, trusted=each == model)
+            Job(
+                *(str(each), frames, events, calls, self._seconds),
+                trusted=each == model,
+                private=private,
+            )
             for each in paths
         ]
         outcomes = self._sandbox.run(jobs)
@@ -362,7 +242,8 @@ class Grader:
 
         The program runs once more, in the sandbox.
         """
-        job = Job(str(path), [frame], seconds=self._seconds, why=language)
+        private = [str(folder) for folder in self._shelf.own.values()]
+        job = Job(str(path), [frame], seconds=self._seconds, why=language, private=private)
         (outcome,) = self._sandbox.run([job])
         return told(outcome.answer[0].get("cause")) if outcome.answer is not None else None
 

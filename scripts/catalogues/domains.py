@@ -12,10 +12,10 @@ from pathlib import Path
 from catalogue import Message
 
 from landscape.course import program_texts
-from landscape.course.exercise import NAMES, exercise
 from landscape.course.ladder import PROGRAMS, SECTIONS, Lesson, lessons, paragraphs
 from landscape.course.lecture import plan
 from landscape.course.pages import BY_CELL, blocks, cells, has_words, page
+from landscape.course.shelf import NAMES, exercise
 from landscape.gallery import flyover_captions
 from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels

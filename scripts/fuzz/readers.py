@@ -23,9 +23,9 @@ from PIL import Image
 from framelens.program.program_events import read_events
 from framelens.program.program_source import read_source
 from framelens.tape import edit_files
-from landscape.course.exercise import named_in
 from landscape.course.ladder import NAMES
 from landscape.course.lecture import plan
+from landscape.course.shelf import COURSE
 from landscape.elements.places_file import KINDS, MORE_COLUMNS, NEEDED, read_places
 from landscape.files import cache, svg_environment
 from landscape.files.images import read_heights, read_image
@@ -424,6 +424,6 @@ READERS = {
     "image": Reader("a.png", images(), _read_pictures),
     "ply": Reader("a.ply", meshes(), _read_mesh),
     "program": Reader("a.py", programs(), read_source),
-    "submission": Reader("a.py", programs(), named_in),
+    "submission": Reader("a.py", programs(), COURSE.named_in),
     "cache": Reader(f"{ENTRY}.arrays", entries(), cache._read),
 }

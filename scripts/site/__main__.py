@@ -33,8 +33,8 @@ from drawn import Drawn, draw_exercise, draw_lesson, read_scene, shrink
 from framelens.base.executor import ahead, in_order, lent_or_own
 from framelens.base.progress import Progress
 from framelens.base.texts import LANGUAGES
-from landscape.course.exercise import NAMES
 from landscape.course.ladder import lessons
+from landscape.course.shelf import NAMES
 from landscape.scene.scene import scene
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -17,9 +17,10 @@ from framelens.program.program_frame import ProgramFrame
 from framelens.report import strip as strips
 from framelens.tape.tape import Tape
 from landscape.commands.target import ViewFrame
-from landscape.course.exercise import exercise, grading
+from landscape.course.exercise import gradings
 from landscape.course.grader.picture import pictures
 from landscape.course.ladder import lesson, presses
+from landscape.course.shelf import exercise
 from landscape.scene.scene import scene
 
 QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
@@ -102,10 +103,10 @@ def _draw_strip(target: ProgramFrame, language: str, sheet: Path, draws: int) ->
 
 def draw_exercise(name: str, folder: Path) -> list[Seen]:
     """Draw the last frame that the grader looks at, of an exercise's start and of its solution."""
-    names = grading(name)
+    shown, _hidden = gradings(exercise(name))
     for kind, file in (("start", "start.py"), ("wanted", "solution.py")):
         program = exercise(name).folder / file
-        (picture,) = pictures(program, [max(names["FRAMES"])], names.get("EVENTS"), limit=LIMIT)
+        (picture,) = pictures(program, [max(shown.frames)], shown.events or None, limit=LIMIT)
         for language in LANGUAGES:
             path = folder / language / f"exercise-{name}-{kind}.webp"
             Image.fromarray(picture).save(path, quality=QUALITY, method=6)

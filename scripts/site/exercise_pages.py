@@ -1,8 +1,8 @@
 """The pages of the exercises: the picture at the start, the one that is wanted, and the task."""
 
 from framelens.base.texts import translator
-from landscape.course.exercise import NAMES, Exercise, exercise
 from landscape.course.ladder import lesson
+from landscape.course.shelf import NAMES, Exercise, exercise
 
 
 def pages(language: str) -> dict[str, str]:

@@ -35,12 +35,19 @@ def environment() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if KEPT.fullmatch(name)}
 
 
-def confine(program: Path, readable: Iterable[Path], writable: Iterable[Path]) -> None:
+def confine(
+    program: Path,
+    readable: Iterable[Path],
+    writable: Iterable[Path],
+    private: Iterable[str] = (),
+) -> None:
     """Leave this process what a program may have, and some files and folders more.
 
-    OSError if the system cannot.
+    Nothing but the program is read in the folders that are ``private``. OSError if the system
+    cannot.
     """
-    seen, listed = _readable(os.path.dirname(os.path.abspath(program)), os.getcwd())
+    own = os.path.dirname(os.path.abspath(program)), os.getcwd()
+    seen, listed = _readable(*own, *private)
     containment.confine(
         [*seen, str(program), *map(str, readable)], listed, list(map(str, writable))
     )

@@ -125,6 +125,7 @@ class Test:
     """A test; ``key`` is the name of its function.
 
     ``demanded``: the task itself asks for what is tested, so that a right picture is not enough.
+    ``points``: what it is worth beside the others. ``hidden``: it is not shown to students.
     """
 
     name: Text
@@ -132,6 +133,8 @@ class Test:
     check: Check
     needs: tuple["Test", ...] = ()
     demanded: bool = False
+    points: float = 1.0
+    hidden: bool = False
 
     @property
     def key(self) -> str:
@@ -158,12 +161,13 @@ def test(
     rationale: Text,
     needs: Test | Sequence[Test] = (),
     demanded: bool = False,
+    points: float = 1.0,
 ) -> Callable[[Check], Test]:
     """Make a test of a function; it is made only if those that it ``needs`` have passed."""
 
     def make(check: Check) -> Test:
         wanted = (needs,) if isinstance(needs, Test) else tuple(needs)
-        return Test(name, rationale, check, wanted, demanded)
+        return Test(name, rationale, check, wanted, demanded, points)
 
     return make
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from runpy import run_path
 
-from landscape.course.exercise import Exercise
+from landscape.course.shelf import Exercise
 
 
 @dataclass(frozen=True)

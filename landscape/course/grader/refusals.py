@@ -56,8 +56,9 @@ HIDDEN = Path(__file__).resolve().parents[1] / "exercises"
 class Refusals:
     """The hook; ``refused`` is the last thing it refused: a word of NAMES, or ""."""
 
-    def __init__(self, path: str, folder: str) -> None:
+    def __init__(self, path: str, folder: str, private: Sequence[str] = ()) -> None:
         self._path, self._folder = path, os.path.realpath(folder) + os.sep
+        self._private = [f"{os.path.realpath(each)}{os.sep}" for each in (str(HIDDEN), *private)]
         self._armed = False
         self.refused = ""
 
@@ -86,8 +87,9 @@ class Refusals:
 
     def _hides(self, path: str) -> bool:
         """Return whether a file is one of the exercises', other than the program itself."""
-        place = os.path.realpath(path) if HIDDEN.name in path else ""
-        return place.startswith(f"{HIDDEN}{os.sep}") and place != os.path.realpath(self._path)
+        place = os.path.realpath(path)
+        inside = any(place.startswith(folder) for folder in self._private)
+        return inside and place != os.path.realpath(self._path)
 
     def _change(self, args: Sequence[Any], paths: int, folders: int, follows: bool) -> None:
         """Refuse to change what is named, unless it is in the folder."""

@@ -65,7 +65,8 @@ class Job:
 
     Without ``calls`` only the pictures of the frames are taken. One that is ``trusted`` is the
     course's own. With a language, the cause is asked for why its last frame looks as it does
-    (framelens/why), instead of evidence.
+    (framelens/why), instead of evidence. ``private`` are folders in which it must read nothing but
+    itself.
     """
 
     path: str
@@ -76,6 +77,7 @@ class Job:
     megabytes: int = MEGABYTES
     trusted: bool = False
     why: str = ""
+    private: Sequence[str] = ()
 
 
 @dataclass(frozen=True)

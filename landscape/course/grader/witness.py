@@ -44,7 +44,7 @@ MATRICES = {  # by the names of the state
 
 def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
     """Run a program and send the evidence into a pipe; ``leave`` ends the process."""
-    refusals = Refusals(job["path"], tempfile.gettempdir())
+    refusals = Refusals(job["path"], tempfile.gettempdir(), job["private"])
     sys.addaudithook(refusals)
     witness = Witness(job["path"], job["frames"], job["calls"])
 

@@ -24,12 +24,14 @@ from framelens.system.processes import cores
 from landscape.course.exercise import Grader, Report, verdicts
 from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.confinement import AUTO
-from landscape.course.grader.grading import Hint
+from landscape.course.grader.grading import Hint, _
 from landscape.course.grader.heat_map import heat_map
 from landscape.course.grader.troubles import LONGEST, sentence
 from landscape.course.roster.submissions import Submission, late
-from landscape.files.cache import recall
+from landscape.course.shelf import Shelf
+from landscape.files.cache import code_below, content, recall
 
+UNSEEN = _("The tests that you see pass, but not all of those that you do not see.")
 WIDEST = 960  # chosen: pixels of the picture of a page, of three side by side
 
 
@@ -37,8 +39,10 @@ WIDEST = 960  # chosen: pixels of the picture of a page, of three side by side
 class Row:
     """What a submission is given; the fields are those of the tables.
 
-    ``tests``: {"name", "passed", "hint"} of each. ``hint`` comes from the first test that failed,
-    ``line`` the line of the program that it names, or 0. ``error`` says why it was not graded.
+    ``tests``: {"name", "passed", "hint", "points", "hidden"} of each; "points" is what it is worth,
+    and students do not see what is "hidden". ``hint`` comes from the first test that failed which
+    they see, ``line`` the line of the program that it names, or 0. ``error`` says why it was not
+    graded.
     """
 
     student: str
@@ -71,8 +75,9 @@ class Graded:
 class Rules:
     """How a class is graded; ``points`` is what a program gets that passes all tests.
 
-    Where it is None, each test is worth a point. ``version`` is told in each row. ``again``: files
-    that have not changed are run, too. ``contain``: as of a Grader.
+    Where it is None, each test is worth its own points, one by default. ``version`` is told in each
+    row. ``again``: files that have not changed are run, too. ``contain``: as of a Grader.
+    ``exercises``: the folder of a lecturer's own exercises, which every worker reads.
     """
 
     language: str = "en"
@@ -81,6 +86,7 @@ class Rules:
     version: str = ""
     again: bool = False
     contain: str = AUTO
+    exercises: Path | None = None
 
 
 def grade_class(
@@ -133,10 +139,11 @@ def _given(
 
 def grade(rules: Rules, data: bytes) -> tuple[dict[str, Any], bytes]:
     """Return the values of a program's row, and its picture: a task for any executor."""
-    key = pickle.dumps(replace(rules, again=False))
+    shelf = Shelf(rules.exercises)
+    key = pickle.dumps((replace(rules, again=False), _code(shelf, rules.language)))
 
     def make() -> tuple[np.ndarray, ...]:
-        with _open.opened(key, lambda: _Opened(rules)) as opened:
+        with _open.opened(key, lambda: _Opened(rules, shelf)) as opened:
             values, picture = opened.graded(data)
         text = json.dumps(values).encode()
         return np.frombuffer(text, np.uint8), np.frombuffer(picture, np.uint8)
@@ -148,12 +155,20 @@ def grade(rules: Rules, data: bytes) -> tuple[dict[str, Any], bytes]:
     return dict(json.loads(text.tobytes())), picture.tobytes()
 
 
+def _code(shelf: Shelf, language: str) -> bytes:
+    """Return what a lecturer's own exercises are made of: nothing for those of the course."""
+    parts = [
+        code_below(folder) + content(folder / f"{language}.po") for folder in shelf.own.values()
+    ]
+    return b"".join(parts)
+
+
 class _Opened:
     """A grader, and the folder in which programs stand while they are checked."""
 
-    def __init__(self, rules: Rules) -> None:
+    def __init__(self, rules: Rules, shelf: Shelf) -> None:
         self._rules = rules
-        self._grader = Grader(rules.seconds, rules.contain)
+        self._grader = Grader(rules.seconds, rules.contain, shelf=shelf)
         self._folder = tempfile.TemporaryDirectory(prefix="landscape-class-")
 
     def graded(self, data: bytes) -> tuple[dict[str, Any], bytes]:
@@ -183,22 +198,28 @@ _open: Kept[_Opened] = Kept()
 def _values(report: Report, rules: Rules) -> dict[str, Any]:
     translate = report.exercise.translate.to(rules.language)
     tests = [
-        {name: test[name] for name in ("name", "passed", "hint")}
+        {name: test[name] for name in ("name", "passed", "hint", "points", "hidden")}
         for test in verdicts(report, translate)
     ]
-    first = next((result.hint for result in report.results if result.hint is not None), None)
-    right = sum(test["passed"] is True for test in tests)
-    whole = rules.points if rules.points is not None else float(len(tests))
+    told = (each for each in report.results if each.hint is not None and not each.test.hidden)
+    first = next((each.hint for each in told), None)
+    right = sum(test["points"] for test in tests if test["passed"] is True)
+    all_points = sum(test["points"] for test in tests)
+    whole = rules.points if rules.points is not None else all_points
+    for test in tests:
+        test["points"] = round(whole * test["points"] / all_points, 4)
     values: dict[str, Any] = {
         "exercise": report.exercise.name,
         "contained": report.contained,
         "passed": report.passed,
-        "points": round(whole * right / len(tests), 2),
+        "points": round(whole * right / all_points, 2),
         "of": whole,
         "tests": tests,
         "hint": first.written(translate) if first is not None else "",
         "line": _line(first),
     }
+    if first is None and not report.passed and report.error is None:
+        values["hint"] = translate(UNSEEN)
     if report.error is not None:
         values["error"] = sentence(report.error, translator(rules.language, "course"))
         values["line"] = int(report.error.get("line", 0))

@@ -14,6 +14,7 @@ COUNTS = _("Programs that pass: {passed} of {all}")
 PICTURE = _("the picture of {student}, where it differs, and the solution's")
 LINE = _("line {line}")
 LATE = _("late")
+HIDDEN = _("Not shown to students: {test}. {hint}")
 COLUMNS = (
     _("Student"),
     _("File"),
@@ -33,11 +34,14 @@ tr.failed td.points { color: #9b1c1c; }
 """
 
 
-def as_page(graded: Sequence[Graded], language: str, _: Translator) -> bytes:
-    """Return the page; pictures are in it, so that it is one file."""
+def as_page(graded: Sequence[Graded], language: str, _: Translator, hidden: bool = False) -> bytes:
+    """Return the page; pictures are in it, so that it is one file.
+
+    With ``hidden`` it also says which tests failed that students do not see.
+    """
     passed = sum(each.row.passed for each in graded)
     head = "".join(f"<th>{html.escape(_(each))}</th>" for each in COLUMNS)
-    body = "\n".join(_line_of(each, _) for each in graded)
+    body = "\n".join(_line_of(each, _, hidden) for each in graded)
     title = html.escape(_(TITLE))
     counts = html.escape(_(COUNTS).format(passed=passed, all=len(graded)))
     return f"""<!DOCTYPE html>
@@ -57,9 +61,13 @@ def as_page(graded: Sequence[Graded], language: str, _: Translator) -> bytes:
 """.encode("utf-8", "replace")
 
 
-def _line_of(graded: Graded, _: Translator) -> str:
+def _line_of(graded: Graded, _: Translator, hidden: bool) -> str:
     row = graded.row
     hint = html.escape(printable(told(row, _)))
+    for test in row.tests if hidden else ():
+        if test["hidden"] and test["passed"] is False:
+            text = _(HIDDEN).format(test=test["name"], hint=test["hint"])
+            hint += f"<p>{html.escape(printable(text))}</p>"
     if graded.picture:
         text = html.escape(_(PICTURE).format(student=printable(row.student)), quote=True)
         source = base64.b64encode(graded.picture).decode()

@@ -15,8 +15,8 @@ from pathlib import Path, PurePosixPath
 
 from framelens.base.errors import InputError, reason
 from framelens.base.input import read_bounded
-from landscape.course.exercise import MOST_BYTES
 from landscape.course.roster.moodle import participant
+from landscape.course.shelf import MOST_BYTES
 
 MOST_ZIP_BYTES = 1 << 28  # chosen: of a zip of a class
 MOST_FILES = 20_000  # chosen: in a zip or a folder

@@ -86,14 +86,14 @@ def _xml(text: str) -> str:
 
 def as_gradescope(row: Row) -> bytes:
     """Return a row as the results.json that Gradescope reads for one submission."""
-    share = row.of / len(row.tests) if row.tests else 0.0
     tests = [
         {
             "name": test["name"],
-            "score": share if test["passed"] else 0.0,
-            "max_score": share,
+            "score": test["points"] if test["passed"] else 0.0,
+            "max_score": test["points"],
             "status": "passed" if test["passed"] else "failed",
             "output": test["hint"],
+            "visibility": "hidden" if test["hidden"] else "visible",
         }
         for test in row.tests
     ]
