@@ -136,6 +136,21 @@ def test_the_mirrored_ground_alone_is_coarser(stage: Stage, shipped: Assets) -> 
     assert sent[0] * 1.2 < sent[1] < sent[0] * 1.3
 
 
+def test_the_mirrored_ground_beside_the_eye_is_fine(stage: Stage, shipped: Assets) -> None:
+    settings = small({"ground.tiles": 8, "reflection.lod_scale": 4.0})
+    ground = Terrain(settings, shipped, np.array([0.5, 0.7, 0.5]))
+    try:
+        with stage.frame(settings, Pose(20.0, 1.0, 22.5, 0.0, 0.0)) as frame:
+            with recording() as recorder:
+                ground.draw(replace(frame, mirrored=True))
+    finally:
+        ground.release()
+    meshes = [[c for c in call.listed if c.name == "glDrawElements"] for call in recorder.calls]
+    counts = [call.args[1] for mesh in meshes for call in mesh]
+    fine = [count > 2 * np.median(counts) for count in counts]
+    assert fine[0] and 1 <= sum(fine) <= 4 < len(fine)  # the nearest come first
+
+
 @pytest.mark.parametrize("pose", POSES)
 @pytest.mark.parametrize("materials", [False, True])
 def test_no_pixel_changes_when_tiles_out_of_view_are_skipped(

@@ -229,6 +229,32 @@ BEST_FIXES: tuple[Fix, ...] = (
         only=("ground", "water", "sky", "reflection", "fog"),
     ),
     Fix(
+        "best10",
+        "Calm water near land",
+        "fig35h",
+        150.0,
+        {"water.sheltered": False},
+        {"water.sheltered": True},
+        "In R16 the waves are as high in a cove as on the open sea, and break up every mirror "
+        "image.",
+        "After, the islet is mirrored from the shore to its top; further out the waves are as "
+        "they were.",
+        "A map made once says how far the sea is open around each of its points: lines run out "
+        "in 24 directions until they meet land. Their mean length scales the waves at the "
+        "vertices, and with them how far each moves the mirror image.",
+        (
+            "a rocky islet, and below it a mirror image torn by waves",
+            "the same islet, clearly mirrored in calm water",
+        ),
+        common={
+            **SEA_OF_BEST,
+            **{"water.shallow": True, "water.ripples": 0.6, "water.repeat": 7.0},
+            **{"water.relief": True, "water.horizon": 400.0, "sky.background": True},
+            **{"sky.unfogged": True, "camera.fov": 40.0},
+        },
+        only=("ground", "water", "sky", "trees", "reflection", "fog"),
+    ),
+    Fix(
         "stencil",
         "A reflection that ends with the water",
         Pose(20.0, 1.7, 35.5, 170.0, -14.0),

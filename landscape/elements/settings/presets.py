@@ -54,6 +54,7 @@ BEST: dict[str, Value] = {
     "water.lod_bias": -0.7,
     "water.trilinear": False,
     "water.relief": True,
+    "water.sheltered": True,
     "water.ripples": 0.6,
     "water.horizon_contrast": 0.3,
     "water.shallow": True,

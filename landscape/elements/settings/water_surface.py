@@ -129,6 +129,17 @@ class Water:
     relief: bool = setting(
         False, "R17, section 3.2", "waves displace the vertices", needs=("water",)
     )
+    sheltered: bool = setting(
+        False,
+        "chosen",
+        "waves are lower near land, and the mirror image is clearer",
+        # The plain surface of 2006 has no such waves; each of these chooses another.
+        needs=(
+            "water",
+            "reflection.rippled or water.relief or water.shallow or water.fresnel or water.glitter "
+            "or water.foam or water.ripples or water.horizon_contrast",
+        ),
+    )
     shallow: bool = setting(
         False, "chosen", "shallow water is clear and turquoise", needs=("water",)
     )

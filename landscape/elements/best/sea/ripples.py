@@ -148,17 +148,20 @@ class Ripples:
         grid: EyeGrid,
         vertices: np.ndarray,
         slopes: Waves,
+        sheltered: np.ndarray,
         t: float,
         mirror: Taken | None,
     ) -> None:
         """Draw the grid with these vertices (n, 3) and waves, mixed with the mirror image.
 
-        Without one it is blended over the framebuffer.
+        ``sheltered`` (rows, columns) is what shelter leaves of the ripples; in the waves it is
+        contained. Without a mirror image the sea is blended over the framebuffer.
         """
         water, shape = settings.water, grid.x.shape
         slope_x, slope_z, move_x, move_z = slopes
         places = np.ascontiguousarray(vertices[:, ::2])
-        rough = SLICK + (GUST - SLICK) * gusts(grid.x, grid.z, t)
+        gusty = SLICK + (GUST - SLICK) * gusts(grid.x, grid.z, t)
+        rough = gusty * sheltered
         level, change = np.full(shape, water.color[3], np.float32), np.zeros(shape, np.float32)
         if water.fresnel:
             cosine = facing(grid, slope_x, slope_z, rough)
@@ -177,7 +180,7 @@ class Ripples:
             apart = (0.4 + 0.6 * rough) * (APART * begun)[:, None]
             y = vertices[:, 1].reshape(shape)
             layers += [
-                mirror_places(grid, y, move_x * rough, move_z * rough, tilt.astype(np.float32))
+                mirror_places(grid, y, move_x * gusty, move_z * gusty, tilt.astype(np.float32))
                 for tilt in (apart, -apart)
             ]
 

@@ -5,8 +5,9 @@ Technique: instead of 25 equal patches, a grid whose lines are equal steps of an
 them (eye_grid.py). A sum of small waves gives each vertex its normal, its height
 (``water.relief``), and with ``reflection.rippled`` the place where it looks up the mirror image
 (mirror_image.py). With ``water.fresnel`` the alpha of each vertex follows the angle of view: the
-water's own colour from above, a mirror in the distance. ``water.shallow`` shows the bottom through
-shallow water (shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
+water's own colour from above, a mirror in the distance. With ``water.sheltered`` the waves are
+lower near land (shelter.py). ``water.shallow`` shows the bottom through shallow water
+(shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
 Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
 it as the patches are. Where there are too few texture units for water and image at once, the image
 is drawn first, too (mirror_pass.py).
@@ -38,6 +39,7 @@ from landscape.elements.best.sea.shallows import (
     hidden_bottom,
     sea_depths,
 )
+from landscape.elements.best.sea.shelter import wave_heights
 from landscape.elements.best.sea.waves import (
     facing,
     mirror_places,
@@ -150,7 +152,7 @@ class Sea(Element[Settings]):
     def built_from(cls, settings: Settings) -> Hashable:
         """Return the values that the constructor uses."""
         water = settings.water
-        looks = water.trilinear, water.lod_bias, water.shallow
+        looks = water.trilinear, water.lod_bias, water.shallow, water.sheltered
         foam = serpent_wash.built_from(settings) if water.foam else None
         rippled = ripples.built_from(settings) if rippling(settings) else None
         return water.level, *looks, foam, water.glitter > 0, rippled
@@ -167,6 +169,7 @@ class Sea(Element[Settings]):
         depths = sea_depths(field)
         self._relief = np.clip(depths / SHOAL, 0.0, 1.0).astype(np.float32)
         self._hidden = hidden_bottom(depths).astype(np.float32)
+        self._waves = wave_heights(depths, field.size) if settings.water.sheltered else None
         self.mirror = MirrorImage()
         self._ripples = self._texture = self._shallows = None
         if rippling(settings):
@@ -191,7 +194,12 @@ class Sea(Element[Settings]):
         if grid is None:
             return
         t = wave_time(frame.kt, water)
-        lift, slope_x, slope_z, move_x, move_z = waves(grid.x, grid.z, grid.cell, t, unfolded(grid))
+        heaving = waves(grid.x, grid.z, grid.cell, t, unfolded(grid))
+        rough = np.ones(grid.x.shape, np.float32)
+        if self._waves is not None:
+            rough = self._at_vertices(self._waves, grid).reshape(rough.shape)
+            heaving = tuple(rough * each for each in heaving)
+        lift, slope_x, slope_z, move_x, move_z = heaving
         y = np.full(grid.x.shape, water.level, np.float32)
         if water.relief:
             y += lift * self._at_vertices(self._relief, grid).reshape(y.shape)
@@ -213,7 +221,7 @@ class Sea(Element[Settings]):
                     draw_mirror(mirror, vertices, looked_up, hidden, grid.triangles)
                     mirror = None
                 if self._ripples is not None:
-                    self._ripples.draw(self.settings, grid, vertices, tilts, t, mirror)
+                    self._ripples.draw(self.settings, grid, vertices, tilts, rough, t, mirror)
                 else:
                     self._draw_plain(grid, vertices, places, tilts, t, mirror)
             if self._foam is not None:

@@ -63,6 +63,9 @@ from landscape.gl.features import possible
 
 # A triangle's label: the materials that it has, and whether the net of light lies on it.
 EVERY, UNDER_NET = TURF | SAND | ROCK, 8
+# Chosen: units from the eye within which the mirror image has the ground as fine as it is. A
+# coarser islet would be lower than the stones on it, and they would hang in the air.
+MIRRORED_FINE = 1.5
 
 
 def shaded(painted: np.ndarray, light: np.ndarray) -> np.ndarray:
@@ -317,10 +320,23 @@ class Terrain(Ground):
         with front_faces(self.settings.camera.cull and not frame.mirrored):
             if frame.mirrored and self._mirrored:
                 # Without details, which nobody sees in an image that ripples.
-                call_lists([*self._looks[:1], *(self._mirrored[k] for k in kept)])
+                call_lists([*self._looks[:1], *self._mirrored_lists(kept, frame)])
             else:
                 self._draw_tiles(kept, frame)
         after.call()
+
+    def _mirrored_lists(self, kept: list[int], frame: Frame) -> list[DisplayList]:
+        """Return these tiles' lists for the mirror image: coarse ones, but for the nearest."""
+        middles, halves = self._mirrored_boxes
+        aside = np.abs(middles[kept] - frame.eye) - halves[kept]
+        near = (aside[:, [0, 2]] < MIRRORED_FINE).all(axis=1)
+        out = list[DisplayList]()
+        for tile, fine in zip(kept, near.tolist(), strict=True):
+            if fine:
+                out += [lists[tile] for lists in self._tiles.values() if tile in lists]
+            else:
+                out.append(self._mirrored[tile])
+        return out
 
     def send(self, frame: Frame) -> None:
         """Send the tiles in view, whatever the state; nothing where there are none."""
