@@ -31,6 +31,7 @@ COMMANDS = {
     "exercise": _("exercises for students: list them, start one, check what was written"),
     "exercise list": _("list the exercises, the easiest first"),
     "exercise start": _("write the program of an exercise, with its task and a hole to fill"),
+    "exercise solution": _("print how an exercise is solved, where the solutions are installed"),
     "exercise check": _(
         "run a program that was written for an exercise, and grade it: exit status 0 if it "
         "passes, 1 if not, 2 if it cannot be run"

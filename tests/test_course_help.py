@@ -11,7 +11,10 @@ from commands import Done, Shell, environment, landscape, refused
 from framelens.base.errors import InputError, Message
 from framelens.base.texts import said
 
-COMMANDS = ("lesson", "exercise", "exercise list", "exercise start", "exercise check", "lecture")
+COMMANDS = (
+    *("lesson", "exercise", "exercise list", "exercise start", "exercise solution"),
+    *("exercise check", "lecture"),
+)
 
 
 @pytest.fixture(scope="module")

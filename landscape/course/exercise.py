@@ -5,12 +5,14 @@ import random
 import secrets
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.base.texts import Translator
+from landscape.course import solutions
+from landscape.course.grader import recorded
 from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.cause import told
 from landscape.course.grader.confinement import AUTO
@@ -33,6 +35,7 @@ from landscape.course.grader.sandbox import FULL, LATE, Job, Outcome, Sandbox
 from landscape.course.grader.trial import Trial, broken_off, elsewhere, trial
 from landscape.course.grader.troubles import SENTENCES, known
 from landscape.course.shelf import COURSE, Exercise, Shelf
+from landscape.course.solutions import solution as solution_of
 
 HIDDEN = "hidden.py"  # tests that students do not see: an exercise may have some
 
@@ -148,13 +151,12 @@ class Grader:
         if not isinstance(work, Evidence):
             return Report(found, tests, error=work, contained=self._sandbox.contained)
 
-        code = (found.folder / "solution.py").read_text(encoding="utf-8")
-        drawn = trial(code, random.Random(f"{self._seed} {found.name}"))
+        drawn, take = self._trial(found)
         last = elsewhere(drawn)
         told, equal = None, False
         right = same_pictures(shown.tests, work, solution)
         if right:
-            told, equal = self._tried(path, found, drawn, last)
+            told, equal = self._tried(path, found, drawn, take, last)
         results = grade(shown.tests, work, solution, equal and equal_pictures(work, solution))
         # The hint of another test that has failed says more of why the picture is wrong elsewhere.
         if right and all(result.passed for result in results):
@@ -169,12 +171,23 @@ class Grader:
         made = [result.test for result in results]
         return Report(found, made, results, most, None, work, solution, contained)
 
+    def _trial(self, found: Exercise) -> tuple[Trial, int]:
+        """Return a trial by chance; one that was recorded, and its number, without a solution."""
+        chance = random.Random(f"{self._seed} {found.name}")
+        program = solution_of(found.folder)
+        if program is not None:
+            return trial(program.read_text(encoding="utf-8"), chance), 0
+        takes = recorded.read(found.folder / recorded.FILE).takes
+        number = chance.randrange(1, len(takes))
+        return takes[number].trial, number
+
     def _tried(
-        self, path: Path, found: Exercise, drawn: Trial, test: Test
+        self, path: Path, found: Exercise, drawn: Trial, take: int, test: Test
     ) -> tuple[Hint | None, bool]:
         """Run a program in a trial; return what is wrong there, and whether nothing differs."""
+        known = self._elsewhere.get(found.name)
         work, solution = self._run(
-            path, found, drawn.frames, drawn.events, self._elsewhere.get(found.name), calls=False
+            path, found, drawn.frames, drawn.events, known, calls=False, take=take
         )
         self._elsewhere[found.name] = solution
         if not isinstance(work, Evidence):
@@ -205,24 +218,25 @@ class Grader:
         events: Sequence[dict[str, Any]],
         solution: Evidence | None,
         calls: bool = True,
+        take: int = 0,
     ) -> tuple[Evidence | dict[str, Any], Evidence]:
         """Run a program, and the solution beside it if its evidence is not there yet.
 
-        Return the evidence of both; of the program what went wrong, if anything did.
+        ``take`` is that of a recorded solution. Return the evidence of both; of the program what
+        went wrong, if anything did.
         """
-        model = found.folder / "solution.py"
-        paths = [path] if solution is not None else [path, model]
-        private = [str(folder) for folder in self._shelf.own.values()]
-        jobs = [
-            Job(
-                *(str(each), frames, events, calls, self._seconds),
-                trusted=each == model,
-                private=private,
-            )
-            for each in paths
-        ]
+        private = self._private()
+        jobs = [Job(str(path), frames, events, calls, self._seconds, private=private)]
+        if solution is None:
+            program = solution_of(found.folder)
+            job = replace(jobs[0], path=str(program or recorded.PLAYER), trusted=True)
+            if program is None:
+                job = replace(job, recorded=str(found.folder / recorded.FILE), take=take)
+            jobs.append(job)
         outcomes = self._sandbox.run(jobs)
         if solution is None:
+            # A recorded one has no text: the tests compare with that of the start.
+            model = program or found.folder / "start.py"
             shown = _evidence(model, outcomes[1], frames)
             if not isinstance(shown, Evidence):
                 raise InputError(
@@ -237,12 +251,17 @@ class Grader:
             work = {"seconds": self._seconds, "megabytes": jobs[0].megabytes, **work}
         return work, solution
 
+    def _private(self) -> list[str]:
+        """Return the folders in which a program must read nothing but itself."""
+        folders = [*self._shelf.own.values(), solutions.folder()]
+        return [str(each) for each in folders if each is not None]
+
     def cause(self, path: Path, frame: int, language: str) -> dict[str, Any] | None:
         """Return why a frame of a program is as it is, as `landscape why --json`; None: not known.
 
         The program runs once more, in the sandbox.
         """
-        private = [str(folder) for folder in self._shelf.own.values()]
+        private = self._private()
         job = Job(str(path), [frame], seconds=self._seconds, why=language, private=private)
         (outcome,) = self._sandbox.run([job])
         return told(outcome.answer[0].get("cause")) if outcome.answer is not None else None

@@ -66,7 +66,7 @@ class Job:
     Without ``calls`` only the pictures of the frames are taken. One that is ``trusted`` is the
     course's own. With a language, the cause is asked for why its last frame looks as it does
     (framelens/why), instead of evidence. ``private`` are folders in which it must read nothing but
-    itself.
+    itself. With ``recorded``, a file, the program plays one of its takes (recorded.py).
     """
 
     path: str
@@ -78,6 +78,8 @@ class Job:
     trusted: bool = False
     why: str = ""
     private: Sequence[str] = ()
+    recorded: str = ""
+    take: int = 0
 
 
 @dataclass(frozen=True)

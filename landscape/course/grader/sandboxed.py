@@ -129,6 +129,10 @@ def run_program(
 
         if job["why"]:
             from landscape.course.grader import cause  # before its file can no more be read
+        if job["recorded"]:
+            from landscape.course.grader import recorded
+
+            recorded.play(Path(job["recorded"]), job["take"])
         if ours.contained == LANDLOCK:
             _confine(job, folder, ours)
         # Where the program is when it crashes, for the grader.

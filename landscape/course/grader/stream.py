@@ -7,7 +7,7 @@ What comes is 8 bytes, the length of a text of JSON; that text; and the blobs, w
 import json
 import os
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 MOST_BYTES = 256 << 20  # chosen: of all that a program's process sends
@@ -33,10 +33,17 @@ class Blobs:
         return self._numbers[data]
 
 
+def parts(answer: Mapping[str, Any], blobs: Sequence[bytes] = ()) -> Iterator[bytes]:
+    """Yield the bytes of an answer and its blobs."""
+    text = json.dumps({**answer, "blobs": [len(each) for each in blobs]}).encode()
+    yield LENGTH.pack(len(text))
+    yield text
+    yield from blobs
+
+
 def send(file: int, answer: Mapping[str, Any], blobs: Sequence[bytes] = ()) -> None:
     """Write an answer and its blobs into a pipe."""
-    text = json.dumps({**answer, "blobs": [len(each) for each in blobs]}).encode()
-    for data in (LENGTH.pack(len(text)), text, *blobs):
+    for data in parts(answer, blobs):
         rest = memoryview(data)
         while rest:
             rest = rest[os.write(file, rest[:PART]) :]

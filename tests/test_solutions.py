@@ -1,0 +1,103 @@
+"""The solutions stay with teachers: what students install has their calls, not their programs."""
+
+import argparse
+import shutil
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from folded import each
+
+from framelens.base.errors import InputError
+from landscape.commands import exercise_solution
+from landscape.commands.exercise_check import as_text
+from landscape.course import exercise as exercises
+from landscape.course import solutions
+from landscape.course.exercise import Grader
+from landscape.course.grader import recorded
+from landscape.course.grader.recording import source
+from landscape.course.grader.trial import Trial
+from landscape.course.shelf import NAMES, exercise
+
+ROOT = Path(__file__).parents[1]
+PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
+
+
+@pytest.mark.parametrize("target", ["wheel", "sdist"])
+def test_no_solution_is_in_the_package(target: str) -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    patterns = project["tool"]["hatch"]["build"]["targets"][target]["exclude"]
+    left_out = {path for pattern in patterns for path in ROOT.glob(pattern.lstrip("/!"))}
+    for name in NAMES:
+        folder = exercise(name).folder
+        programs = {*folder.glob("solution*.py"), folder / "mutants.py"}
+        assert len(programs) >= 3 and programs <= left_out
+        assert folder / recorded.FILE not in left_out and folder / "start.py" not in left_out
+
+
+@each("name", NAMES)
+def test_the_calls_are_those_of_the_solution_as_it_is(name: str) -> None:
+    found = exercise(name)
+    assert recorded.read(found.folder / recorded.FILE).source == source(found), (
+        "python -m landscape.course.grader.recording"
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.sweep(9, first=2)
+def test_without_solutions_the_grader_draws_their_calls(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(exercises, "solution_of", lambda folder: None)
+    folder = exercise(name).folder
+    with Grader(PATIENCE) as grader:
+        report = grader.check(folder / "solution.py")
+        assert report.passed, as_text(report, lambda text, context="": text)
+        assert report.difference == 0
+        assert grader.check(folder / "solution2.py").passed
+        assert grader.check(folder / "start.py").passed is False
+
+
+def test_teachers_are_told_where_the_solutions_are(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shutil.copytree(
+        exercise("winding").folder,
+        tmp_path / "winding",
+        ignore=shutil.ignore_patterns("solution*.py", "mutants.py"),
+    )
+    options = argparse.Namespace(name="winding", exercises=tmp_path)
+    monkeypatch.delenv(solutions.FOLDER, raising=False)
+    with pytest.raises(InputError, match=r"in a checkout.*LANDSCAPE_SOLUTIONS"):
+        exercise_solution.run(options)
+    monkeypatch.setenv(solutions.FOLDER, str(exercise("winding").folder.parent))
+    assert exercise_solution.run(options) == 0
+    text = (exercise("winding").folder / "solution.py").read_text(encoding="utf-8")
+    assert capsys.readouterr().out == text
+
+
+def test_a_damaged_file_of_calls_is_an_input_error(tmp_path: Path) -> None:
+    path = tmp_path / recorded.FILE
+    shutil.copy(exercise("winding").folder / recorded.FILE, path)
+    data = path.read_bytes()
+    for damaged in (b"", data[:-9], data[:200] + bytes(9) + data[209:], b"{}"):
+        path.write_bytes(damaged)
+        with pytest.raises(InputError, match="expected the calls of a solution"):
+            recorded.read(path)
+
+
+@pytest.mark.parametrize(("name", "known"), [("glFogf", True), ("system", False)])
+def test_only_functions_of_opengl_are_called(name: str, known: bool, tmp_path: Path) -> None:
+    path = tmp_path / recorded.FILE
+    arguments = (1, 2.5, None, b"x", [np.float32(1.5)], np.eye(2, dtype=np.float32))
+    take = recorded.Take((8, 8), Trial([0], [], {}), [[(name, arguments)]])
+    path.write_bytes(recorded.packed(recorded.Recorded("", [take])))
+    if not known:
+        with pytest.raises(InputError, match="expected the calls of a solution"):
+            recorded.read(path)
+        return
+    (frame,) = recorded.read(path).takes[0].frames
+    ((function, args),) = frame
+    assert function == name and args[:5] == (1, 2.5, None, b"x", [1.5])
+    assert args[5].dtype == np.float32 and (args[5] == np.eye(2)).all()
