@@ -13,10 +13,22 @@ if TYPE_CHECKING:
     from typing import Any
 
     from framelens.base.errors import InputError, NoOpenGLError
+    from landscape.notebook.cells import lesson, show
+    from landscape.notebook.checking import check
+    from landscape.notebook.magics import load_ipython_extension
     from landscape.offscreen import Offscreen, render
 
 __version__ = "0.2.0"
-__all__ = ["InputError", "NoOpenGLError", "Offscreen", "render"]
+__all__ = [
+    "InputError",
+    "NoOpenGLError",
+    "Offscreen",
+    "check",
+    "lesson",
+    "load_ipython_extension",
+    "render",
+    "show",
+]
 
 packages.add("landscape", __file__, unseen=("gl",))
 
@@ -25,7 +37,11 @@ _HOMES = {
     "InputError": "framelens.base.errors",
     "NoOpenGLError": "framelens.base.errors",
     "Offscreen": "landscape.offscreen",
+    "check": "landscape.notebook.checking",
+    "lesson": "landscape.notebook.cells",
+    "load_ipython_extension": "landscape.notebook.magics",
     "render": "landscape.offscreen",
+    "show": "landscape.notebook.cells",
 }
 
 

@@ -233,6 +233,7 @@ def test_readme_is_written_in_french_with_its_code_tables_and_pictures_as_they_a
     monkeypatch.setattr(readme, "page", lambda language: f"the gallery in {language}")
     monkeypatch.setattr(readme, "scene_page", lambda scene, language: f"{scene} in {language}")
     monkeypatch.setattr(readme, "flyover_page", lambda language: f"the flights in {language}")
+    monkeypatch.setattr(readme.notebooks, "NAMES", ())
     monkeypatch.setattr(readme, "WIDTH", 24)
     french = {
         "Fog": "Brouillard",

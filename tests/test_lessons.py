@@ -17,6 +17,7 @@ from starting import Starter
 from test_window import screen, xdotool
 from watching import Watcher
 
+from framelens.program.program_events import presses
 from landscape.course.ladder import (
     LADDER,
     LESSONS,
@@ -25,7 +26,6 @@ from landscape.course.ladder import (
     TOPICS,
     Lesson,
     lesson,
-    presses,
     program_files,
     read,
 )

@@ -43,6 +43,7 @@ LANDSCAPE = (
     ("course.lessons", "course.exercises"),
     ("__init__",),
     ("commands",),
+    ("notebook",),
     ("cli",),
     ("__main__",),
 )

@@ -18,7 +18,7 @@ of shift, control and alt.
 """
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -128,6 +128,12 @@ class Queue:
             self.mods = event.mods
         elif event.kind == "move":
             self.mouse = float(event.value[0]), float(event.value[1])
+
+
+def presses(keys: Iterable[str], frame: int = 1) -> list[dict[str, Any]]:
+    """Return the events of keys that are pressed and released before a frame."""
+    actions = ("press", "release")
+    return [{"frame": frame, "key": key, "action": action} for key in keys for action in actions]
 
 
 def read_events(source: Any) -> list[Event]:

@@ -1,14 +1,15 @@
 """A frame of a program, as the commands look into it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TextIO, TypeVar
+from typing import Any, TextIO, TypeVar
 
 from framelens.program.program_tape import on_frame
 from framelens.tape.edit_files import read
 from framelens.tape.edits import Edits
 from framelens.tape.tape import Tape
+from framelens.tape.target import untold
 
 T = TypeVar("T")
 
@@ -26,11 +27,11 @@ class ProgramFrame:
     backend: str = "auto"
     edits: Path | None = None
     frame: int = 0
-    events: Path | None = None
+    events: Path | Sequence[Mapping[str, Any]] | None = None
     arguments: Sequence[str] = ()
     stdin: TextIO | None = None
     limit: float | None = None
-    tell: Callable[[Sequence[str]], object] = lambda lines: None
+    tell: Callable[[Sequence[str]], object] = untold
 
     @property
     def is_program(self) -> bool:
@@ -65,7 +66,7 @@ class ProgramFrame:
 
     def following(self) -> "ProgramFrame":
         """Return the program's next frame, without lines for the user."""
-        return replace(self, frame=self.frame + 1, tell=lambda lines: None)
+        return replace(self, frame=self.frame + 1, tell=untold)
 
     def check_element(self, name: str) -> None:
         """Accept any name: which elements a program has shows when it has drawn."""

@@ -20,7 +20,16 @@ from framelens.tape.strip import BUFFERS, GROUPINGS, Group, Survey, groups, shot
 from framelens.tape.tape import Tape
 from framelens.tape.target import Target
 
-__all__ = ["BUFFERS", "FORMATS", "GROUPINGS", "Request", "checked_out", "make", "on_screen"]
+__all__ = [
+    "BUFFERS",
+    "FORMATS",
+    "GROUPINGS",
+    "Request",
+    "checked_out",
+    "fragment",
+    "make",
+    "on_screen",
+]
 
 WRITERS: dict[str, Callable[[Page, Iterable[Cell]], bytes | list[bytes]]] = {
     ".png": strip_sheet.as_png,
@@ -75,9 +84,17 @@ def on_screen(tape: Tape, name: str, request: Request, size: tuple[int, int]) ->
     return strip_screen.as_image(page, _cells(tape, parts, request, found, page.tones), size)
 
 
+def fragment(tape: Tape, name: str, request: Request) -> str:
+    """Return the strip of a frame as HTML for a cell of a notebook; InputError as of make."""
+    parts = groups(tape, request.by)
+    _check(parts, name, request, ".html")
+    page, found = _page(tape, parts, name, request)
+    return strip_html.as_fragment(page, _cells(tape, parts, request, found, page.tones))
+
+
 def _made(tape: Tape, target: Target, request: Request, suffix: str) -> bytes | list[bytes]:
     parts = groups(tape, request.by)
-    _check(parts, target, request, suffix)
+    _check(parts, target.name, request, suffix)
     page, found = _page(tape, parts, target.name, request)
     with Progress(len(parts), request.quiet) as progress:
 
@@ -142,10 +159,10 @@ def _changed(language: str, before: np.ndarray, after: np.ndarray) -> str:
     return text(language, "changed" if share >= 0.1 else "hardly", percent=percent)
 
 
-def _check(parts: Sequence[Group], target: Target, request: Request, suffix: str) -> None:
+def _check(parts: Sequence[Group], name: str, request: Request, suffix: str) -> None:
     """Raise InputError unless a file of this format can hold all pictures."""
     if not parts:
-        raise InputError("{name}: its frame draws nothing", name=target.name)
+        raise InputError("{name}: its frame draws nothing", name=name)
     pictures = len(parts) * len(request.buffers)
     if pictures <= MOST[suffix]:
         return

@@ -7,7 +7,8 @@ from html import escape
 
 from PIL import Image, features
 
-from framelens.report.strip_page import Cell, Page
+from framelens.report import in_cells
+from framelens.report.strip_page import Cell, Page, fitted, scaled
 from framelens.report.strip_pictures import Legend
 from framelens.report.strip_words import text
 from framelens.tape.edits import as_code
@@ -15,6 +16,8 @@ from framelens.tape.strip import Group
 
 EXACT = 64  # chosen: so many pictures are kept exactly; more are compressed (WebP)
 CALLS = 500  # chosen: calls that a step lists
+IN_CELL = 240  # chosen: pixels of a picture's longer side in a notebook, which keeps it in its file
+QUALITY = {True: 90, False: 80}  # chosen: of WebP, on a page and in a cell
 
 STYLE = """
 :root { color-scheme: light; }
@@ -87,9 +90,33 @@ def as_html(page: Page, cells: Iterable[Cell]) -> list[bytes]:
     return ["\n".join(head).encode(), *steps, b"</main>\n</body>\n</html>\n"]
 
 
+def as_fragment(page: Page, cells: Iterable[Cell]) -> str:
+    """Return the strip for a cell of a notebook: small pictures with their titles, no calls."""
+    lines = [f'<p class="quiet">{escape(page.intro)}</p>']
+    lines += [_legend(legend) for legend in page.legends()]
+    lines.append('<div class="pictures">')
+    for cell in cells:
+        lines += _in_cell(page, cell)
+    return in_cells.fragment([*lines, "</div>"])
+
+
+def _in_cell(page: Page, cell: Cell) -> Iterable[str]:
+    """Yield a step's pictures, with its title below them."""
+    yield "<figure>"
+    for name, picture in zip(page.buffers, cell.pictures, strict=True):
+        small = scaled(picture, fitted(page.size, IN_CELL), sharp=name != "color")
+        what = text(page.language, name)
+        alt = text(page.language, "alt", what=what, number=cell.label, title=cell.title)
+        source = _data(small, exact=name != "color", page=False)
+        size = f'width="{small.width}" height="{small.height}"'
+        yield f'<img {size} alt="{escape(alt)}" src="{source}">'
+    caption = "<br>".join(escape(line) for line in (f"{cell.label}. {cell.title}", *cell.lines))
+    yield f"<figcaption>{caption}</figcaption></figure>"
+
+
 def _legend(legend: Legend) -> str:
     entries = "".join(
-        f'<span><i style="background:rgb{color}"></i>{escape(text)}</span>'
+        f'<span><i class="swatch" style="background:rgb{color}"></i>{escape(text)}</span>'
         for color, text in legend.entries
     )
     return f'<div class="legend"><span>{escape(legend.heading)}</span>{entries}</div>'
@@ -142,12 +169,12 @@ def _calls(language: str, summary: str, group: Group) -> Iterable[str]:
     yield "</div></details>"
 
 
-def _data(picture: Image.Image, exact: bool) -> str:
+def _data(picture: Image.Image, exact: bool, page: bool = True) -> str:
     """Return a picture as a data URI."""
     buffer, kind = io.BytesIO(), "png"
     if not exact and features.check("webp"):
         kind = "webp"
-        picture.save(buffer, "WEBP", quality=90, method=2)
+        picture.save(buffer, "WEBP", quality=QUALITY[page], method=2)
     else:
         picture.save(buffer, "PNG", compress_level=1)
     return f"data:image/{kind};base64,{base64.b64encode(buffer.getvalue()).decode()}"

@@ -1,12 +1,16 @@
 """What can be looked into: a frame that draws itself onto a tape."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Protocol, TypeVar
 
 from framelens.base.errors import InputError, short
 from framelens.tape.tape import Tape
 
 T = TypeVar("T")
+
+
+def untold(lines: Sequence[str]) -> None:
+    """Drop lines for the user; a function of a module, so that a frame with it can be pickled."""
 
 
 class Target(Protocol):

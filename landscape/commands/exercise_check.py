@@ -173,7 +173,7 @@ def as_text(report: Report, _: Translator, columns: int = WIDTHS[1]) -> list[str
     words = {True: _("passed"), False: _("failed"), None: _("not checked")}
     width = max(map(len, words.values()))
     indent = " " * (width + 2)
-    lines = [_title(report.exercise, _)]
+    lines = [title_of(report.exercise, _)]
     for result in report.results:
         name = _(result.test.name)
         told = [_(UNSEEN).format(test=name) if result.test.hidden else name]
@@ -199,5 +199,5 @@ def as_text(report: Report, _: Translator, columns: int = WIDTHS[1]) -> list[str
     return lines
 
 
-def _title(found: Exercise, _: Translator) -> str:
+def title_of(found: Exercise, _: Translator) -> str:
     return _("{name}: {title}").format(name=found.name, title=_(found.title))

@@ -13,6 +13,7 @@ from framelens.base.texts import LANGUAGES, Phrases, choose, translator
 from framelens.base.texts import marked as _
 from framelens.commands.parser import backend_option, language_option
 from framelens.gl import display
+from framelens.program.program_events import presses
 from landscape.course import program_texts
 from landscape.course.grader.picture import pictures
 from landscape.course.ladder import (
@@ -22,7 +23,6 @@ from landscape.course.ladder import (
     Lesson,
     lesson,
     lessons,
-    presses,
     program_files,
 )
 from landscape.course.language import translated

@@ -9,6 +9,7 @@ from framelens.base.errors import InputError
 from framelens.tape.edit_files import read
 from framelens.tape.edits import Edits
 from framelens.tape.tape import Tape
+from framelens.tape.target import untold
 from landscape.offscreen import SIZE, Offscreen
 from landscape.scene.scene import SEED, find_view
 
@@ -33,7 +34,7 @@ class ViewFrame:
     seed: int = SEED
     wireframe: bool = False
     edits: Path | None = None
-    tell: Callable[[Sequence[str]], object] = lambda lines: None
+    tell: Callable[[Sequence[str]], object] = untold
 
     @property
     def is_program(self) -> bool:

@@ -15,7 +15,6 @@ A plain program is there twice: NAME.py is written with GLFW, NAME_glut.py with 
 
 import ast
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -178,9 +177,3 @@ def program_files(name: str) -> tuple[Path, Path]:
 def paragraphs(text: str) -> list[str]:
     """Return the paragraphs of a text, one line each."""
     return [" ".join(part.split()) for part in re.split(r"\n\s*\n", text.strip())]
-
-
-def presses(keys: Iterable[str], frame: int = 1) -> list[dict[str, Any]]:
-    """Return the events of keys that are pressed and released before a frame."""
-    actions = ("press", "release")
-    return [{"frame": frame, "key": key, "action": action} for key in keys for action in actions]

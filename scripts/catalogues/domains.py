@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
 
+import notebooks
 from catalogue import Message
 
 from landscape.course import program_texts
@@ -38,6 +39,7 @@ DOCUMENTS = (
     "docs/glut.md",
     "docs/sheet.md",
     "docs/course.md",
+    "docs/notebooks.md",
     "docs/films.md",
     "docs/exercises.md",
     "docs/assets.md",
@@ -248,6 +250,11 @@ def in_document(name: str) -> Iterator[Message]:
             yield Message(block.text, name)
 
 
+def in_notebooks() -> Iterator[Message]:
+    """Yield the texts of the notebooks of docs/notebooks."""
+    yield from (Message(text, source) for text, source in notebooks.texts(ROOT))
+
+
 COURSE = (
     "landscape/course/*.py",
     "landscape/course/grader/*.py",
@@ -255,6 +262,7 @@ COURSE = (
     "landscape/course/roster/*.py",
     "landscape/cli.py",
     "landscape/commands/*.py",
+    "landscape/notebook/*.py",
 )
 
 IN_FRAMELENS = ("calls", "errors", "inspector", "strip", "why")
@@ -276,6 +284,7 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "programs": in_programs,
     "site": lambda: in_code("scripts/site/*.py"),
     "gallery": gallery,
+    "notebook_cells": in_notebooks,
     **{f"exercises/{name}": partial(in_exercise, name) for name in NAMES},
     **{f"docs/{Path(name).stem}": partial(in_document, name) for name in DOCUMENTS},
     **{f"lessons/{lesson.name}": partial(in_lesson, lesson) for lesson in lessons()},

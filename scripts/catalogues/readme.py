@@ -1,10 +1,13 @@
-"""The pages that GitHub shows, in the other languages: README.LANGUAGE.md, and the galleries'.
+"""The pages that GitHub shows, in the other languages: README.LANGUAGE.md, galleries, notebooks.
 
-The first is written from README.md and its catalogue, docs/README; the others by the gallery.
+The first is written from README.md and its catalogue, docs/README, a notebook from the English one
+and notebook_cells; the others by the gallery.
 """
 
 from collections.abc import Iterator
 from pathlib import Path
+
+import notebooks
 
 from framelens.base.texts import translator
 from landscape.course.pages import as_markdown, blocks
@@ -43,6 +46,7 @@ def translated(language: str) -> dict[Path, str]:
         kept / name: page(language),
         **{kept / scene / name: scene_page(scene, language) for scene in VIEW_TEXTS},
         kept / FLYOVER / name: flyover_page(language),
+        **notebooks.translated(ROOT, language, translator(language, "notebook_cells")),
     }
 
 

@@ -8,7 +8,14 @@ from framelens.base.texts import translator
 from landscape.course.pages import BY_CELL, as_markdown, blocks, by_cell
 
 ROOT = Path(__file__).resolve().parents[2]
-TEACHING = ("course", "lecture", "exercises", "glut", "sheet")  # for who gives the course
+TEACHING = (
+    "course",
+    "lecture",
+    "exercises",
+    "notebooks",
+    "glut",
+    "sheet",
+)  # for who gives the course
 TOOLS = ("frame", "gate", "programs", "black", "why", "films")  # how the frame is laid open
 BUILT = (
     *("reading", "documents", "errata", "performance"),

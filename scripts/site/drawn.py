@@ -13,13 +13,14 @@ from PIL import Image
 from framelens.base.errors import InputError
 from framelens.base.texts import LANGUAGES, speaking
 from framelens.gl.seam import Call
+from framelens.program.program_events import presses
 from framelens.program.program_frame import ProgramFrame
 from framelens.report import strip as strips
 from framelens.tape.tape import Tape
 from landscape.commands.target import ViewFrame
 from landscape.course.exercise import gradings
 from landscape.course.grader.picture import pictures
-from landscape.course.ladder import lesson, presses
+from landscape.course.ladder import lesson
 from landscape.course.shelf import exercise
 from landscape.scene.scene import scene
 

@@ -16,12 +16,11 @@ from framelens.gl.seam import unnoted
 from framelens.inspector.panel import Panel
 from framelens.inspector.program_inspector import FOREVER, PAUSE, ProgramInspector
 from framelens.program.program import run
-from framelens.program.program_events import Event
+from framelens.program.program_events import Event, presses
 from framelens.program.program_run import Window
 from framelens.report.strip import Request, on_screen
 from framelens.state import state
 from framelens.tape.tape import Tape
-from landscape.course.ladder import presses
 from landscape.course.lecture.image import message_image
 from landscape.course.lecture.stage import Stage
 

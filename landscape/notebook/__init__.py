@@ -1,0 +1,1 @@
+"""Notebooks: views, lessons and checks in cells, and a walk that is live there."""
