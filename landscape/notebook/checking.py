@@ -22,6 +22,7 @@ from landscape.course.exercise import Grader, Report, verdicts
 from landscape.course.grader.grading import _
 from landscape.course.grader.heat_map import heat_map
 from landscape.course.grader.troubles import sentence
+from landscape.course.shelf import shelf
 
 PICTURES = _("Your picture, where it differs, and the solution's")
 WIDTH = 960  # chosen: pixels of the three pictures in a row
@@ -70,28 +71,33 @@ class Check:
         return fragment(lines)
 
 
-def check(program: str | os.PathLike[str]) -> Check:
+def check(
+    program: str | os.PathLike[str], exercises: str | os.PathLike[str] | None = None
+) -> Check:
     """Grade a program for an exercise: its path, or its text, which has more than one line.
 
-    The line ``# exercise: NAME`` in it says of which exercise it is. InputError if it is of none,
+    The line ``# exercise: NAME`` in it says of which exercise it is: one of the course, or of the
+    folder ``exercises``. InputError if it is of none,
     or cannot be read; NoOpenGLError.
     """
     text = os.fspath(program)
+    language = choose(os.environ)
+    folder = None if exercises is None else Path(exercises)
     if "\n" not in text:
-        return answered(text, _checked, Path(text), choose(os.environ))
-    with TemporaryDirectory(prefix="landscape-") as folder:
-        path = Path(folder, CELL)
+        return answered(text, _checked, Path(text), folder, language)
+    with TemporaryDirectory(prefix="landscape-") as place:
+        path = Path(place, CELL)
         path.write_text(text, encoding="utf-8")
         try:
-            return answered(CELL, _checked, path, choose(os.environ))
+            return answered(CELL, _checked, path, folder, language)
         except InputError as error:
             error.values["path"] = CELL  # not that of the folder, which goes
             raise
 
 
-def _checked(path: Path, language: str) -> Check:
+def _checked(path: Path, exercises: Path | None, language: str) -> Check:
     """Grade a program, in this process."""
-    with Grader() as grader:
+    with Grader(shelf=shelf(exercises)) as grader:
         report = grader.check(path)
     return _told(report, report.exercise.translate.to(language))
 
