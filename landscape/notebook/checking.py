@@ -18,11 +18,11 @@ from framelens.base.texts import Translator, choose
 from framelens.report.in_cells import fragment
 from framelens.report.look import answered
 from landscape.commands.exercise_check import as_text, title_of
+from landscape.commands.shelves import shelf
 from landscape.course.exercise import Grader, Report, verdicts
 from landscape.course.grader.grading import _
 from landscape.course.grader.heat_map import heat_map
 from landscape.course.grader.troubles import sentence
-from landscape.course.shelf import shelf
 
 PICTURES = _("Your picture, where it differs, and the solution's")
 WIDTH = 960  # chosen: pixels of the three pictures in a row
