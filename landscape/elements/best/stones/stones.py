@@ -105,7 +105,7 @@ class Stones(Element[Settings]):
         limits = np.random.default_rng([seed, 74]).uniform(*LIMITS, len(kinds))
         self._limits = limits * np.array(LEAST_PIXELS)[kinds]
         self._light: np.ndarray | None = None
-        self._chosen: dict[bool, tuple[Frame, np.ndarray]] = {}
+        self._near: dict[bool, tuple[Frame, np.ndarray]] = {}
         name = settings.ground.rock_texture
         image = read_image(
             assets.path(name, "ground.rock_texture"), largest=settings.ground.texture_size
@@ -175,32 +175,51 @@ class Stones(Element[Settings]):
         return np.asarray(rows[solid & (found.shapes < first_shape(LOG))])
 
     def choice(self, frame: Frame) -> np.ndarray:
-        """Return the corners, uint32, of the triangles to draw: the last choice while it serves."""
-        last = self._chosen.get(frame.mirrored)
-        if last is None or not is_near(last[0], frame):
-            last = frame, self.select(frame, REUSE_DISTANCE)
-            self._chosen[frame.mirrored] = last
-        return last[1]
+        """Return the corners, uint32, of the triangles to draw in a frame.
 
-    def select(self, frame: Frame, margin: float = 0.0) -> np.ndarray:
-        """Return the corners, uint32, of the triangles that an eye within ``margin`` units sees."""
-        found = self.bodies
-        middles = found.middles
+        Only the stones that the eye may see are looked at; those of the last frame serve while it
+        stays near. What is drawn of them depends on this frame alone.
+        """
+        last = self._near.get(frame.mirrored)
+        if last is None or not is_near(last[0], frame):
+            last = frame, self.shown(frame, None, REUSE_DISTANCE)
+            self._near[frame.mirrored] = last
+        return self.select(frame, last[1])
+
+    def shown(
+        self, frame: Frame, among: np.ndarray | None = None, margin: float = 0.0
+    ) -> np.ndarray:
+        """Return the numbers of the stones that are in view and large enough, of ``among`` or all.
+
+        With a ``margin`` in units, of those that may be until the eye has moved that far and turned
+        by REUSE_ANGLE.
+        """
+        found, every = self.bodies, slice(None) if among is None else among
+        middles, radii = found.middles[every], found.radii[every]
         if frame.mirrored:
             middles = middles.copy()
             middles[:, 1] = mirrored_height(middles[:, 1], self.settings.water.level)
         away = np.linalg.norm(middles - frame.eye, axis=1)
-        pixels = 2.0 * frame.pixels * found.radii / np.maximum(away, 1e-6)
-        drawn = pixels > (MIRRORED if frame.mirrored else 1.0) * self._limits
+        pixels = 2.0 * frame.pixels * radii / np.maximum(away - margin, 1e-6)
+        drawn = pixels > (MIRRORED if frame.mirrored else 1.0) * self._limits[every]
         if frame.mirrored:
-            drawn &= found.tops > self.settings.water.level
+            drawn &= found.tops[every] > self.settings.water.level
         if self.settings.camera.cull:
-            # A frame may turn by REUSE_ANGLE until the next choice.
-            drawn &= in_view(frame, middles, 1.2 * found.radii + margin + REUSE_ANGLE * away)
-        numbers = np.flatnonzero(drawn)
+            turned = REUSE_ANGLE * away if margin else 0.0
+            drawn &= in_view(frame, middles, 1.2 * radii + margin + turned)
+        return np.flatnonzero(drawn) if among is None else among[drawn]
+
+    def select(self, frame: Frame, among: np.ndarray | None = None) -> np.ndarray:
+        """Return the corners, uint32, of the triangles to draw, of the stones ``among`` or all."""
+        found, numbers = self.bodies, self.shown(frame, among)
+        middles = found.middles[numbers]
+        if frame.mirrored:
+            middles[:, 1] = mirrored_height(middles[:, 1], self.settings.water.level)
+        away = np.linalg.norm(middles - frame.eye, axis=1)
+        pixels = 2.0 * frame.pixels * found.radii[numbers] / np.maximum(away, 1e-6)
 
         # Coarser frames of a walk have the same shapes: a slab that becomes round is seen at once.
-        whole = pixels[numbers] * np.float32(frame.detail.coarser)
+        whole = pixels * np.float32(frame.detail.coarser)
         shapes, fine = found.shapes[numbers], (whole / EDGE_PIXELS) ** 2
         corners = [np.empty(0, np.int64)]
         for k, levels in enumerate(self._shapes):
@@ -237,7 +256,7 @@ class Stones(Element[Settings]):
     def take(self, settings: Settings) -> None:
         """Take other settings, by which other stones may be in view."""
         self.settings = settings
-        self._chosen.clear()
+        self._near.clear()
 
     def release(self) -> None:
         """Delete the texture and the buffer; may be called twice."""
