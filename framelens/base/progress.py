@@ -39,11 +39,11 @@ class Progress:
     def __enter__(self) -> "Progress":
         return self
 
-    def step(self, name: str) -> None:
-        """Count one more thing done, and show its name."""
+    def step(self, name: str, count: int = 1) -> None:
+        """Count one more thing done, or several, and show the name."""
         if self._bar is not None:
             self._bar.set_description_str(name, refresh=False)
-            self._bar.update()
+            self._bar.update(count)
 
     def reach(self, done: int) -> None:
         """Show that ``done`` of the total are done."""

@@ -145,6 +145,17 @@ def processors() -> int:
     return os.cpu_count() or 1
 
 
+def is_running(pid: int) -> bool:
+    """Return whether there is a process of this number."""
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True
+
+
 def memory() -> int | None:
     """Return the bytes of memory of this machine; None if the system does not say."""
     try:

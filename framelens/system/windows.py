@@ -178,6 +178,19 @@ def processors() -> int:
     return os.cpu_count() or 1
 
 
+def is_running(pid: int) -> bool:
+    """Return whether there is a process of this number."""
+    synchronize, timeout = 0x00100000, 0x102
+    handle = ctypes.windll.kernel32.OpenProcess(synchronize, False, pid)
+    if not handle:
+        return False
+    try:
+        waited: int = ctypes.windll.kernel32.WaitForSingleObject(handle, 0)
+        return waited == timeout
+    finally:
+        ctypes.windll.kernel32.CloseHandle(handle)
+
+
 def memory() -> int | None:
     """Return the bytes of memory of this machine; None if the system does not say."""
     status = _MemoryStatus(length=ctypes.sizeof(_MemoryStatus))

@@ -1,4 +1,4 @@
-"""Animated GIF files, written frame by frame: a film need not be held in memory.
+"""Animated GIF files, written part by part: a film need not be held in memory.
 
 All frames share one palette of 256 colours, so that nothing flickers that stands still. Between its
 colours an ordered pattern mixes, which stays where it is: errors that spread from pixel to pixel
@@ -18,6 +18,7 @@ BITS = 5  # of each colour by which the nearest of the palette is looked up: 32,
 FASTEST = 50.0  # frames per second: viewers show what lasts less than 2/100 s slowly
 MOST = 0xFFFF  # pixels, a side
 SPREAD = 20.0  # chosen: levels between the lightest and the darkest of the pattern
+END = b"\x3b"  # of a file
 SAME = 3  # chosen: levels by which a pixel may change and still be as before
 
 # The pattern of Bayer (1973), 8 x 8: thresholds -0.5 to 0.5.
@@ -51,26 +52,29 @@ def nearest(palette: np.ndarray) -> np.ndarray:
     return far.argmin(axis=1).astype(np.uint8)
 
 
-class GifFile:
-    """A GIF being written: a header, frames, and at the end :meth:`finish`."""
+def header(size: tuple[int, int], palette: np.ndarray) -> bytes:
+    """Return what a file begins with: ``size`` in pixels, palette uint8 (n, 3), no end."""
+    colours = np.zeros((256, 3), np.uint8)
+    colours[: len(palette)] = palette
+    screen = b"GIF89a" + struct.pack("<HHBBB", *size, 0xF7, 0, 0) + colours.tobytes()
+    return screen + b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"
+
+
+class GifFrames:
+    """Frames that follow each other in a file; the first of them needs none before it."""
 
     def __init__(
-        self, out: Writable, size: tuple[int, int], fps: float, palette: np.ndarray
+        self, out: Writable, size: tuple[int, int], fps: float, palette: np.ndarray, first: int = 0
     ) -> None:
-        """Write the header: ``size`` in pixels, palette uint8 (n, 3), repeated without end."""
+        """Write to ``out``; ``first`` is the number of the first frame in its film."""
         self._out = out
         self._fps = fps
-        self._size = size
         self._nearest = nearest(palette)
         rows, columns = -(-size[1] // 8), -(-size[0] // 8)
         pattern = np.tile(PATTERN, (rows, columns))[: size[1], : size[0], None]
         self._pattern = np.round(SPREAD * pattern).astype(np.int16)
         self._before: tuple[np.ndarray, np.ndarray] | None = None
-        self._written = 0
-        colours = np.zeros((256, 3), np.uint8)
-        colours[: len(palette)] = palette
-        out.write(b"GIF89a" + struct.pack("<HHBBB", *size, 0xF7, 0, 0) + colours.tobytes())
-        out.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")
+        self._number = first
 
     def add(self, pixels: np.ndarray) -> None:
         """Write a frame, uint8 (h, w, 3)."""
@@ -91,14 +95,10 @@ class GifFile:
             self._before = pixels, numbers
 
         # Rounded to where the frame begins and ends, so that the film is as long as it should be.
-        begin, end = (round(100 * k / self._fps) for k in (self._written, self._written + 1))
-        self._written += 1
+        begin, end = (round(100 * k / self._fps) for k in (self._number, self._number + 1))
+        self._number += 1
         self._out.write(b"\x21\xf9\x04" + struct.pack("<BHBB", 0x05, end - begin, COLORS, 0))
         self._out.write(_compressed(sent))
-
-    def finish(self) -> None:
-        """Write the end."""
-        self._out.write(b"\x3b")
 
 
 def _compressed(numbers: np.ndarray) -> bytes:

@@ -1,7 +1,7 @@
-"""The pictures of a film in their order, drawn side by side.
+"""The pictures of a film in their order, drawn side by side; or its parts, drawn and encoded.
 
-A task is one frame. The worker that draws it opens the film for itself and keeps it open for its
-next frame. Only a few pictures exist at a time, however long the film is.
+A task is one frame, or a part. The worker that draws it opens the film for itself and keeps it open
+for its next one. Only a few pictures or parts exist at a time, however long the film is.
 """
 
 import pickle
@@ -15,6 +15,7 @@ import numpy as np
 from framelens.base.errors import InputError
 from framelens.base.executor import Kept, WorkerKilled, ahead, in_order
 from landscape.film.cut import Film
+from landscape.film.encode import Format, part_encoder
 from landscape.film.stage import Stage
 from landscape.scene.scene import SCENES
 
@@ -31,13 +32,12 @@ def drawn(
     InputError if a worker dies.
     """
     frames = range(film.frames) if numbers is None else numbers
-    packed = zlib.compress(pickle.dumps(film))
     try:
-        yield from in_order(executor, partial(frame, packed), frames, ahead(jobs))
+        yield from in_order(executor, partial(frame, packed(film)), frames, ahead(jobs))
     except WorkerKilled:
         raise InputError(DIED) from None
     finally:
-        _open.close()  # where the executor is one in this process
+        close()
 
 
 def frame(packed: bytes, number: int) -> np.ndarray:
@@ -49,12 +49,60 @@ def frame(packed: bytes, number: int) -> np.ndarray:
         raise InputError(TOO_LARGE) from None
 
 
+def parts(
+    film: Film, format: Format, executor: Executor, jobs: int
+) -> Generator[bytes, None, None]:
+    """Yield the film's parts in their order, encoded by ``jobs`` workers; errors as of drawn."""
+    task = partial(part, packed(film), format)
+    try:
+        yield from in_order(executor, task, range(part_count(film, format)), ahead(jobs))
+    except WorkerKilled:
+        raise InputError(DIED) from None
+    finally:
+        close()
+
+
+def part_count(film: Film, format: Format) -> int:
+    """Return how many parts a film has."""
+    return -(-film.frames // format.length)
+
+
+def part_frames(film: Film, format: Format, number: int) -> range:
+    """Return the numbers of the frames of a part."""
+    first = number * format.length
+    return range(first, min(first + format.length, film.frames))
+
+
+def part(packed: bytes, format: Format, number: int) -> bytes:
+    """Return a part of a film, encoded: a task for any executor."""
+    first = number * format.length
+    try:
+        with _open.opened(packed, lambda: _Opened(packed)) as film:
+            encoder = part_encoder(format, first)
+            for each in range(first, min(first + format.length, film.frames)):
+                encoder.add(np.ascontiguousarray(film.picture(each)))
+            return encoder.finish()
+    except MemoryError:
+        raise InputError(TOO_LARGE) from None
+
+
+def packed(film: Film) -> bytes:
+    """Return a film as the tasks take it."""
+    return zlib.compress(pickle.dumps(film))
+
+
+def close() -> None:
+    """Close the film that this process has open, where an executor works in this process."""
+    _open.close()
+
+
 class _Opened:
     """A film with the stage on which it is drawn."""
 
     def __init__(self, packed: bytes) -> None:
         film: Film = pickle.loads(zlib.decompress(packed))
         SCENES.update(film.drawing.scenes)
+        self.frames = film.frames
         self.stage = Stage(film.drawing)
         self.picture: Callable[[int], np.ndarray] = film.open(self.stage)
 

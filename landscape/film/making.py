@@ -13,8 +13,8 @@ from framelens.base.progress import Progress
 from framelens.commands.reporting import notify
 from framelens.system import interrupts_held
 from landscape.film.cut import Film
-from landscape.film.encode import Encoder, encoder
-from landscape.film.frames import drawn
+from landscape.film.encode import FilmFile, Format, format_of
+from landscape.film.frames import drawn, part_frames, parts
 
 SAMPLED = 12  # chosen: how many frames the palette of a GIF is made from
 
@@ -24,13 +24,15 @@ def write(
 ) -> int:
     """Draw a film by ``jobs`` workers into a file; return how many frames it has.
 
-    The workers are processes of this machine, or those of an ``executor``. The frames are fewer
-    than the film's after Ctrl-C. If there is none yet, or they would take the place of an earlier
-    file, KeyboardInterrupt goes on, and nothing is written. InputError and NoOpenGLError, too,
-    leave what stood there before.
+    The workers are processes of this machine, to each of which a task is a frame, or those of an
+    ``executor``, to which it is a part: they may be far away. The file is the same.
+
+    The frames are fewer than the film's after Ctrl-C. If there is none yet, or they would take the
+    place of an earlier file, KeyboardInterrupt goes on, and nothing is written. InputError and
+    NoOpenGLError, too, leave what stood there before.
     """
-    encoded: Encoder | None = None
-    done, earlier = 0, out.is_file()
+    file: FilmFile | None = None
+    earlier = out.is_file()
     try:
         with (
             suppress(KeyboardInterrupt),
@@ -38,22 +40,41 @@ def write(
             lent_or_own(executor, min(jobs, film.frames)) as workers,
         ):
             palette = partial(samples, film, workers, jobs)
-            encoded = encoder(out, film.drawing.size, film.fps, palette)
-            with closing(drawn(film, workers, jobs)) as pictures:
-                for pixels in pictures:
-                    with interrupts_held():
-                        encoded.add(pixels)
-                        done += 1
-                    progress.step("frames")
-        if encoded is None or not done or (earlier and done < film.frames):
+            format = format_of(out, film.drawing.size, film.fps, palette)
+            file = FilmFile(out, format)
+            if executor is None:
+                _draw(film, file, workers, jobs, progress)
+            else:
+                _draw_parts(film, format, file, workers, jobs, progress)
+        if file is None or not file.frames or (earlier and file.frames < film.frames):
             raise KeyboardInterrupt
         with interrupts_held():
-            encoded.finish()
+            file.finish()
+        return file.frames
     finally:
-        if encoded is not None:
-            encoded.discard()
+        if file is not None:
+            file.discard()
 
-    return done
+
+def _draw(film: Film, file: FilmFile, workers: Executor, jobs: int, progress: Progress) -> None:
+    """Draw frame by frame."""
+    with closing(drawn(film, workers, jobs)) as pictures:
+        for pixels in pictures:
+            with interrupts_held():
+                file.add(pixels)
+            progress.step("frames")
+
+
+def _draw_parts(
+    film: Film, format: Format, file: FilmFile, workers: Executor, jobs: int, progress: Progress
+) -> None:
+    """Draw part by part."""
+    with closing(parts(film, format, workers, jobs)) as encoded:
+        for number, data in enumerate(encoded):
+            count = len(part_frames(film, format, number))
+            with interrupts_held():
+                file.add_part(data, count)
+            progress.step("frames", count)
 
 
 def samples(film: Film, executor: Executor, jobs: int) -> list[np.ndarray]:

@@ -37,6 +37,7 @@ from landscape.elements.best.meadow.refined_blades import (
     count_at,
     in_range,
     joined,
+    nearest_first,
     shortened,
     showing,
     widened,
@@ -266,7 +267,7 @@ class Meadow(Element[Settings]):
         return same and is_near(self._chosen_for, frame, margin, angle)
 
     def seen(self, frame: Frame, patch: Patch) -> Patch:
-        """Return the blades of a choice that show in a frame, in their order.
+        """Return the blades of a choice that show in a frame, the nearest first.
 
         The choice has a margin for frames to come: half of it has sunk or is beside the picture.
         """
@@ -274,7 +275,7 @@ class Meadow(Element[Settings]):
             return patch
         ranges = self._ranges(frame, patch)
         kept = showing(frame, patch.places, ranges, patch.sizes, self._widening)
-        return patch.only(kept) if len(kept) < len(patch.positions) else patch
+        return patch.only(kept[nearest_first(frame, patch.places[:, kept])])
 
     def _ranges(self, frame: Frame, patch: Patch) -> np.ndarray:
         """Return how far away blades are drawn in a frame, float32 (n,) in units."""

@@ -21,6 +21,7 @@ WIDENING = 0.5  # chosen: blades that are drawn k times as far away are k**WIDEN
 THICKER = (
     0.25  # chosen: if only a fraction of the blades is drawn, they are fraction**-THICKER wide
 )
+ORDERED = 65_535  # steps of distance by which blades are ordered
 SWAYING = 0.02  # chosen: units that wind and its lean may take a blade's tip aside
 FOOT = 0.75  # chosen: brightness of a tinted blade at its foot, times the ground's
 LUSH = np.array([-0.16, -0.03, -0.10])  # chosen: change of the ground's colour for tall grass
@@ -232,16 +233,27 @@ def in_range(
     angle: float = 0.0,
     thinning: float = THINNING,
 ) -> np.ndarray:
-    """Return the numbers (k,) of a patch's blades that may be seen, the nearest first.
+    """Return the numbers (k,) of a patch's blades that may be seen.
 
     Their cells were thinned out only by the distance of the nearest point. ``widening`` is that of
     :func:`showing`. ``margin`` units is how far the eye may still move, and ``angle`` radians how
-    far it may turn. What is near comes first, as it hides much of what is far.
+    far it may turn.
     """
     shorter = shortened(patch.ranges, radius, frame.detail.grass, thinning)
-    found = showing(frame, patch.places, shorter, patch.sizes, widening, margin, angle)
-    away = patch.positions[found][:, ::2] - np.array([frame.pose.x, frame.pose.z], np.float32)
-    return np.asarray(found[np.argsort((away * away).sum(axis=1))])
+    return showing(frame, patch.places, shorter, patch.sizes, widening, margin, angle)
+
+
+def nearest_first(frame: Frame, places: np.ndarray) -> np.ndarray:
+    """Return the order (n,) in which blades at ``places`` (3, n) are drawn: the nearest first.
+
+    What is near hides much of what is far. Of blades at one depth the first is seen: the order
+    depends on this frame alone, and where it leaves two equal, they stay as they are.
+    """
+    x, z = (places[k] - np.float32(at) for k, at in ((0, frame.pose.x), (2, frame.pose.z)))
+    away = np.sqrt(x * x + z * z)
+    # Whole numbers of 16 bits are sorted in a tenth of the time.
+    steps = np.float32(ORDERED / max(float(away.max(initial=0.0)), 1e-6))
+    return np.argsort((away * steps).astype(np.uint16), kind="stable")
 
 
 def joined(patches: Sequence[Patch], counts: Sequence[int] | None = None) -> Patch:
