@@ -378,6 +378,19 @@ def test_what_is_not_sent_does_not_show(sow) -> None:
     assert (np.any(beside, axis=0) | (depth < 0).all(axis=1)).all()
 
 
+def test_what_is_sent_and_its_order_do_not_depend_on_the_frame_before(sow) -> None:
+    fresh, used = sow(**DENSE_MEADOW), sow(**DENSE_MEADOW)
+    first = looking(replace(NORTH, x=20.04, yaw=2.0))
+    used.choice(first)
+    frame = looking(NORTH)
+    chosen = used.choice(frame)
+    assert chosen is used.choice(first), "the choice serves both"
+    one, other = used.seen(frame, chosen), fresh.seen(frame, fresh.choice(frame))
+    assert len(one.positions) > 1_000
+    assert np.array_equal(one.vertices, other.vertices)
+    assert np.array_equal(one.tints, other.tints)
+
+
 def test_a_coarser_frame_has_all_near_blades_and_no_farther_ones_than_one_sees(sow) -> None:
     meadow = sow(fade=True, count=2_000_000, scale=(1.0, 1.0), radius=6.0)
     whole, walked = looking(NORTH, size=(640, 360)), looking(NORTH, size=(640, 360))

@@ -250,3 +250,26 @@ def test_the_picture_shows_them_beside_the_ground(stage: Stage, stones: Stones) 
             pictures.append(stage.read().astype(int))
         island.release()
     assert 0.002 < (np.abs(pictures[0] - pictures[1]).max(axis=2) > 20).mean() < 0.5
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_what_is_drawn_does_not_depend_on_the_frame_before(
+    stage: Stage, stones: Stones, mirrored: bool
+) -> None:
+    """What those near the eye were chosen for may be seen in their number, their fineness, or not
+    at all: some of the frames below have other stones than the one in which that was.
+    """
+    differ = 0
+    for step in range(6):
+        poses = (replace(SHORE, z=SHORE.z + 0.05 * (step + at), yaw=step + at) for at in (0.0, 0.9))
+        chosen = []
+        for pose in poses:
+            with stage.frame(stony(), pose) as frame:
+                frame = replace(frame, mirrored=mirrored)
+                used = stones.choice(frame)
+                stones._near.clear()
+                assert np.array_equal(used, stones.select(frame))
+                stones.choice(frame)
+                chosen.append(used)
+        differ += not np.array_equal(*chosen)
+    assert differ or mirrored
