@@ -36,6 +36,7 @@ LANDSCAPE = (
     ("scene",),
     ("island", "hall", "voxel"),
     ("offscreen",),
+    ("maker",),
     ("walk", "gallery", "studio"),
     ("bench", "film"),
     ("flyover.app",),
