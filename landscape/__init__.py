@@ -30,7 +30,7 @@ __all__ = [
     "show",
 ]
 
-packages.add("landscape", __file__, unseen=("gl",))
+packages.add("landscape", __file__, unseen=("gl",), version=__version__)
 
 # Imported when asked for: the command line, the lessons and the tests need only some of it.
 _HOMES = {

@@ -11,7 +11,6 @@ from dataclasses import asdict, dataclass, fields
 
 import numpy as np
 
-import landscape
 from framelens.base import packages
 from framelens.base.errors import NoOpenGLError
 from landscape.files.cache import code, code_below
@@ -58,7 +57,7 @@ def maker(backend: str = "") -> Maker:
 def version() -> str:
     """Return the version, with a hash of the code: a checkout may have changed since."""
     hashed = zlib.crc32(code() + code_below(packages.FRAMELENS.folder))
-    return f"{landscape.__version__}+{hashed:08x}"
+    return f"{packages.PACKAGES[-1].version}+{hashed:08x}"
 
 
 def arithmetic() -> str:

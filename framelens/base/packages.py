@@ -16,12 +16,20 @@ if TYPE_CHECKING:
 
 
 class Package:
-    """A package: its name, its folder, and the rooms whose callers a trace shows in their place."""
+    """A package: its name, folder and version, and the rooms that a trace does not show.
+
+    In their place it shows who calls them.
+    """
 
     def __init__(
-        self, name: str, folder: str | os.PathLike[str], unseen: tuple[str, ...] = ()
+        self,
+        name: str,
+        folder: str | os.PathLike[str],
+        unseen: tuple[str, ...] = (),
+        version: str = "",
     ) -> None:
         self.name = name
+        self.version = version
         self.unseen = unseen
         self._root = os.fspath(folder)
 
@@ -56,10 +64,10 @@ FRAMELENS = Package(
 PACKAGES = [FRAMELENS]
 
 
-def add(name: str, file: str, unseen: tuple[str, ...] = ()) -> None:
+def add(name: str, file: str, unseen: tuple[str, ...] = (), version: str = "") -> None:
     """Add a package, whose __init__ is this file, unless it is there."""
     if name not in [package.name for package in PACKAGES]:
-        PACKAGES.append(Package(name, os.path.dirname(os.path.realpath(file)), unseen))
+        PACKAGES.append(Package(name, os.path.dirname(os.path.realpath(file)), unseen, version))
 
 
 def speaker() -> str:
