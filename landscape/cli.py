@@ -36,6 +36,10 @@ COMMANDS = {
         "run a program that was written for an exercise, and grade it: exit status 0 if it "
         "passes, 1 if not, 2 if it cannot be run"
     ),
+    "exercise new": _("begin an exercise of your own: a whole small one, to be changed"),
+    "exercise test": _(
+        "try an exercise before students get it: its solutions pass, and each mistake has its hint"
+    ),
     "lecture": _("show lessons and views one after another, full screen"),
     "assets": "make, show or fetch assets",
     "assets build": "make assets from code (needs the extra `studio`)",

@@ -1,4 +1,8 @@
-"""The option --exercises, of all actions of `landscape exercise`."""
+"""The option --exercises, of all actions of `landscape exercise`.
+
+Actions for students take the course's exercises without it, those for lecturers the ones in the
+current folder.
+"""
 
 import argparse
 from pathlib import Path
@@ -16,6 +20,21 @@ def exercises_option(parser: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help=_("a folder with exercises of your own: a folder each"),
     )
+
+
+def own_option(parser: argparse.ArgumentParser) -> None:
+    """Add --exercises, for a lecturer."""
+    parser.add_argument(
+        "--exercises",
+        type=Path,
+        metavar="DIR",
+        help=_("where your own exercises lie, a folder each; default: the current folder"),
+    )
+
+
+def own_shelf(folder: Path | None) -> Shelf:
+    """Return the exercises of a folder, by default the current one, and of the course."""
+    return Shelf(Path()) if folder is None else shelf(folder)
 
 
 def shelf(folder: Path | None) -> Shelf:

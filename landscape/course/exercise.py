@@ -34,10 +34,8 @@ from landscape.course.grader.grading_file import Grading, read_grading
 from landscape.course.grader.sandbox import FULL, LATE, Job, Outcome, Sandbox
 from landscape.course.grader.trial import Trial, broken_off, elsewhere, trial
 from landscape.course.grader.troubles import SENTENCES, known
-from landscape.course.shelf import COURSE, Exercise, Shelf
+from landscape.course.shelf import COURSE, HIDDEN, Exercise, Shelf
 from landscape.course.solutions import solution as solution_of
-
-HIDDEN = "hidden.py"  # tests that students do not see: an exercise may have some
 
 
 @dataclass(frozen=True)

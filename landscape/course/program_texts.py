@@ -38,6 +38,17 @@ def texts(source: str) -> list[str]:
     return [*(remark.text for remark in remarks), *(str(node.value) for node in _shown(source))]
 
 
+def marked(source: str) -> list[tuple[str, str]]:
+    """Return the texts of a module's calls _(text, context), in their order; the context or ""."""
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "_":
+            words = [a.value if isinstance(a, ast.Constant) else "" for a in node.args]
+            text, context = (*map(str, words), "", "")[:2]
+            found.append((node.lineno, node.col_offset, text, context))
+    return [(text, context) for _line, _column, text, context in sorted(found) if text]
+
+
 def translated(source: str, translate: Callable[[str], str]) -> str:
     """Return a program with its texts in the language of ``translate``.
 

@@ -9,14 +9,14 @@ import io
 import re
 import textwrap
 import tokenize
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 
 from framelens.base.errors import InputError, short
 from framelens.base.input import read_bounded
-from framelens.base.texts import Translator, translator
+from framelens.base.texts import LANGUAGES, Translator, translator
 from landscape.course import ladder, program_texts
 from landscape.course.grader.grading import _
 
@@ -67,6 +67,7 @@ MARKER = re.compile(r"^#\s*exercise:\s*(\S+)\s*$", re.MULTILINE)
 LESSONS = re.compile(r"^# lessons: (.+)$", re.MULTILINE)
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,59}")  # of an exercise: a folder, and a file of Python
 PARTS = ("start.py", "solution.py", "grading.py")  # what every exercise has
+HIDDEN = "hidden.py"  # tests that students do not see: an exercise may have some
 MOST_BYTES = 1 << 20  # chosen: of a program
 COLUMNS = 92  # chosen: of the task in a program
 
@@ -75,7 +76,8 @@ COLUMNS = 92  # chosen: of the task in a program
 class Exercise:
     """One exercise; ``title`` and ``task`` (its paragraphs) are in English.
 
-    ``lessons``: the names of those that it builds on. ``folder``: that of its files.
+    ``lessons``: the names of those that it builds on. ``folder``: that of its files. ``domain``:
+    the catalogue of its texts; of a lecturer's own exercise the folder in which it lies.
     """
 
     name: str
@@ -83,25 +85,17 @@ class Exercise:
     task: tuple[str, ...]
     lessons: tuple[str, ...]
     folder: Path
-
-    @property
-    def own(self) -> bool:
-        """Whether it is a lecturer's own, not one of the course."""
-        return self.folder.parent != FOLDER
+    domain: str | Path
 
     @property
     def translate(self) -> "Translate":
         """What translates its texts."""
-        return Translate(self.folder if self.own else f"exercises/{self.name}")
+        return Translate(self.domain)
 
 
 @dataclass(frozen=True)
 class Translate:
-    """The translators of an exercise's texts, and of the grader's own.
-
-    ``domain`` is the catalogue of its texts; of a lecturer's own exercise the folder in which it
-    lies, as LANGUAGE.po.
-    """
+    """The translators of an exercise's texts, and of the grader's own."""
 
     domain: str | Path
 
@@ -140,7 +134,7 @@ class Shelf:
     def exercise(self, name: str) -> Exercise:
         """Return the exercise of a name; InputError lists the names, or says what is wrong."""
         if name in self.own:
-            return _read(name, self.own[name])
+            return read(name, self.own[name], self.own[name])
         if name not in NAMES:
             raise InputError(
                 "{name}: expected an exercise, one of {names}",
@@ -194,7 +188,7 @@ def _is_exercise(folder: Path) -> bool:
 
 @cache
 def _of_course(name: str) -> Exercise:
-    return _read(name, FOLDER / name)
+    return read(name, FOLDER / name, f"exercises/{name}")
 
 
 def exercise(name: str) -> Exercise:
@@ -217,7 +211,7 @@ def paragraphs(docstring: str) -> list[str]:
     return [" ".join(part.split()) for part in re.split(r"\n\s*\n", docstring.strip())]
 
 
-def _read(name: str, folder: Path) -> Exercise:
+def read(name: str, folder: Path, domain: str | Path) -> Exercise:
     """Return the exercise of a folder; InputError says which of its files lacks what."""
     path = folder / "start.py"
     code = source(path)
@@ -237,7 +231,7 @@ def _read(name: str, folder: Path) -> Exercise:
         )
     if MARKER.findall(code) != [name]:
         raise InputError("{path}: expected the line `# exercise: {name}`", path=path, name=name)
-    if HOLE not in code:
+    if not any(translator(each, "course")(HOLE) in code for each in LANGUAGES):
         raise InputError(
             "{path}: expected the line `{hole}`, where students begin to write",
             path=path,
@@ -253,7 +247,7 @@ def _read(name: str, folder: Path) -> Exercise:
                 path=path,
                 name=short(each),
             )
-    return Exercise(name, title, tuple(task), tuple(lessons), folder)
+    return Exercise(name, title, tuple(task), tuple(lessons), folder, domain)
 
 
 def start(found: Exercise, language: str) -> str:
@@ -267,3 +261,14 @@ def start(found: Exercise, language: str) -> str:
     # The names stay as they are: the language of OpenGL's is English.
     program = program_texts.translated(code[code.index('"""', 3) + 3 :], translated)
     return '"""' + "\n\n".join(parts) + '\n"""' + program.replace(HOLE, translated(HOLE))
+
+
+def texts_of(found: Exercise) -> Iterator[tuple[str, str]]:
+    """Yield the texts of an exercise that can be translated, each with its file's name."""
+    program = source(found.folder / "start.py")
+    for text in (found.title, *found.task, *program_texts.texts(program)):
+        yield text, "start.py"
+    for file in ("grading.py", HIDDEN):
+        path = found.folder / file
+        for text, _context in program_texts.marked(source(path)) if path.is_file() else ():
+            yield text, file

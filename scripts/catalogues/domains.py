@@ -15,8 +15,9 @@ from catalogue import Message
 from landscape.course import program_texts
 from landscape.course.ladder import PROGRAMS, SECTIONS, Lesson, lessons, paragraphs
 from landscape.course.lecture import plan
+from landscape.course.own_exercise import scaffold_texts
 from landscape.course.pages import BY_CELL, blocks, cells, has_words, page
-from landscape.course.shelf import NAMES, exercise
+from landscape.course.shelf import NAMES, exercise, texts_of
 from landscape.gallery import flyover_captions
 from landscape.gallery.page import FIXES_TEXT, INTRODUCTION, PARTS
 from landscape.gallery.panels import panels
@@ -61,20 +62,9 @@ def in_code(*patterns: str) -> Iterator[Message]:
     """Yield the texts of the modules that match these patterns, below the root of the project."""
     for path in sorted({path for pattern in patterns for path in ROOT.glob(pattern)}):
         source = path.relative_to(ROOT).as_posix()
-        code = ast.parse(path.read_text(encoding="utf-8"))
-        for text, context in (*_calls(code), *_tables(code)):
+        code = path.read_text(encoding="utf-8")
+        for text, context in (*program_texts.marked(code), *_tables(ast.parse(code))):
             yield Message(text, source, context)
-
-
-def _calls(code: ast.Module) -> list[tuple[str, str]]:
-    """Return the texts of a module's calls _(text, context), in their order; the context or ""."""
-    found = []
-    for node in ast.walk(code):
-        if isinstance(node, ast.Call) and ast.unparse(node.func) == "_":
-            words = [a.value if isinstance(a, ast.Constant) else "" for a in node.args]
-            text, context = (*map(str, words), "", "")[:2]
-            found.append((node.lineno, node.col_offset, text, context))
-    return [(text, context) for _line, _column, text, context in sorted(found) if text]
 
 
 ERRORS = (
@@ -145,11 +135,14 @@ def in_programs() -> Iterator[Message]:
 
 def in_exercise(name: str) -> Iterator[Message]:
     """Yield the texts of an exercise: its title, its task, those of its program, and its tests."""
-    found = exercise(name)
-    own = program_texts.texts((found.folder / "start.py").read_text(encoding="utf-8"))
-    for text in (found.title, *found.task, *own):
-        yield Message(text, f"landscape/course/exercises/{name}/start.py")
-    yield from in_code(f"landscape/course/exercises/{name}/grading.py")
+    for text, file in texts_of(exercise(name)):
+        yield Message(text, f"landscape/course/exercises/{name}/{file}")
+
+
+def in_scaffold() -> Iterator[Message]:
+    """Yield the texts of the exercise that a lecturer's own begins as."""
+    for text, file in scaffold_texts():
+        yield Message(text, f"landscape/course/scaffold/{file}")
 
 
 def in_lectures() -> Iterator[Message]:
@@ -282,6 +275,7 @@ DOMAINS: dict[str, Callable[[], Iterable[Message]]] = {
     "film": lambda: in_code("landscape/film/*.py"),
     "course": lambda: (*in_code(*COURSE), *in_lectures()),
     "programs": in_programs,
+    "scaffold": in_scaffold,
     "site": lambda: in_code("scripts/site/*.py"),
     "gallery": gallery,
     "notebook_cells": in_notebooks,

@@ -1,9 +1,10 @@
-"""The mistakes that an exercise ships, in landscape/course/exercises/NAME/mutants.py."""
+"""The mistakes by which an exercise is tried, in its mutants.py."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from runpy import run_path
 
+from framelens.base.errors import InputError
+from landscape.course.grader.grading_file import names_of
 from landscape.course.shelf import Exercise
 
 
@@ -28,6 +29,12 @@ class Mutant:
 
 
 def mutants(exercise: Exercise) -> dict[str, Mutant]:
-    """Return the mistakes of an exercise by their names."""
-    found: dict[str, Mutant] = run_path(str(exercise.folder / "mutants.py"))["MUTANTS"]
+    """Return the mistakes of an exercise by their names; InputError if its mutants.py has none."""
+    path = exercise.folder / "mutants.py"
+    found = names_of(path).get("MUTANTS")
+    if not isinstance(found, dict) or not all(isinstance(each, Mutant) for each in found.values()):
+        raise InputError(
+            '{path}: MUTANTS: expected mistakes by their names, {{"NAME": Mutant(...), ...}}',
+            path=path,
+        )
     return found
