@@ -40,6 +40,7 @@ COMMANDS = {
     "exercise test": _(
         "try an exercise before students get it: its solutions pass, and each mistake has its hint"
     ),
+    "exercise pack": _("pack exercises: what students get, and what their teacher keeps"),
     "lecture": _("show lessons and views one after another, full screen"),
     "assets": "make, show or fetch assets",
     "assets build": "make assets from code (needs the extra `studio`)",

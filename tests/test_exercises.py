@@ -10,8 +10,9 @@ from folded import each
 
 from landscape.commands.exercise_check import as_json, as_text
 from landscape.course.exercise import Grader, Report
-from landscape.course.grader.grading import UNLIKE, Hint
+from landscape.course.grader.grading import Hint
 from landscape.course.grader.mutants import mutants
+from landscape.course.rehearsal import FEWEST, Rehearsal
 from landscape.course.shelf import HOLE, NAMES, exercise, start
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
@@ -73,24 +74,17 @@ def test_each_mistake_still_fits_its_solution() -> None:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.sweep(9, first=4)
 def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
-    name: str, grader: Grader, tmp_path: Path, pytestconfig: pytest.Config
+    name: str, grader: Grader, pytestconfig: pytest.Config
 ) -> None:
-    told: dict[str, str] = {}  # both as it is read and without its values, by the mistake
     found = mutants(exercise(name))
-    assert len(found) >= 4
-    for hint in hints(of_start(grader, name)):
-        told |= {hint.text: "start", hint.written(str): "start"}
+    assert len(found) >= FEWEST
+    rehearsal = Rehearsal(exercise(name), grader, lambda text, context="": text)
+    assert rehearsal.start().wrong is None
     # There are some 800, so most of them wait for --all.
     step = 1 if pytestconfig.getoption("--all") else 4
     for mistake, mutant in list(found.items())[::step]:
-        report = checked(grader, tmp_path, mutant.of(solution(name)))
-        assert report.error is None, (mistake, report.error)
-        assert failures(report) == [mutant.fails], mistake
-        (hint,) = hints(report)
-        assert hint.text != UNLIKE and "--heat-map" not in hint.text, (mistake, hint.text)
-        for text in (hint.text, hint.written(str)):
-            assert text not in told, (mistake, told.get(text))
-        told |= {hint.text: mistake, hint.written(str): mistake}
+        wrong = rehearsal.mistake(mistake, mutant).wrong
+        assert wrong is None, f"{mistake}: {wrong}"
 
 
 CLEARED = """# exercise: {name}

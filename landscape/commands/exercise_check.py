@@ -129,7 +129,10 @@ def run(options: argparse.Namespace) -> int:
         if options.heat_map is not None:
             print(_(WRITTEN).format(file=options.heat_map))
         elif (report.difference or 0) > MOST:
-            print(_(SHOWN).format(file=quoted(str(file))))
+            asked = quoted(str(file))
+            if options.exercises is not None:
+                asked += f" --exercises {quoted(str(options.exercises))}"
+            print(_(SHOWN).format(file=asked))
     if report.error is not None:
         raise InputError("{file}: {sentence}", file=file, sentence=sentence(report.error, _))
     return 0 if report.passed else 1

@@ -136,6 +136,15 @@ def with_new_texts(found: Exercise) -> tuple[bytes, int]:
     return f"{old}\n".encode(), len(new_ones)
 
 
+def french_without(found: Exercise, hidden: str) -> bytes:
+    """Return the fr.po of an exercise without the texts that only the file ``hidden`` has."""
+    kept = {text for text, file in texts_of(found) if file != hidden}
+    entries = _french(found)
+    for entry in [entry for entry in entries if entry.msgid not in kept]:
+        entries.remove(entry)
+    return f"{entries}\n".encode()
+
+
 def _french(found: Exercise) -> Any:
     """Return the entries of an exercise's fr.po; InputError if it is no catalogue."""
     import polib

@@ -6,13 +6,12 @@ site. It is found by its first column, and only the grade and the comment of eac
 change in it: every other byte stays.
 """
 
-import io
 import re
-import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from framelens.base.errors import InputError
+from landscape.course.roster.archive import zipped
 
 FOLDER = re.compile(r"(?P<name>[^_]*)_(?P<id>\d+)_assignsubmission_[a-z]+(_.*)?")
 # Headers of the columns that are filled, in the languages of Moodle's sites.
@@ -26,7 +25,6 @@ COMMENTS = (
     "Feedback als commentaar",
 )
 NUMBER = re.compile(r"(\d+)\s*$")
-DATE = 1980, 1, 1, 0, 0, 0  # of files in a zip, so that equal feedback is equal bytes
 
 
 def participant(folder: str) -> tuple[str, str] | None:
@@ -118,8 +116,4 @@ def _quoted(value: str) -> str:
 
 def feedback(files: Sequence[tuple[str, str, bytes]]) -> bytes:
     """Return a zip of (folder, name, bytes), as Moodle takes it: folders named as it named them."""
-    whole = io.BytesIO()
-    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
-        for folder, name, data in files:
-            archive.writestr(zipfile.ZipInfo(f"{folder}/{name}", DATE), data)
-    return whole.getvalue()
+    return zipped({f"{folder}/{name}": data for folder, name, data in files})

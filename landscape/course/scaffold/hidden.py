@@ -6,12 +6,12 @@ import numpy as np
 from landscape.course.grader.grading import _, hint, test
 
 FRAMES = (0, 3)
-EVENTS = [{"frame": 2, "key": "LEFT"} for _press in range(13)]  # more than a whole turn, backwards
+EVENTS = [{"frame": 2, "key": "LEFT"} for _press in range(40)]  # more than three turns back
 
 
 @test(
     _("The hand turns back beyond a whole turn"),
-    _("Thirteen times Left: it stands where once Left would have brought it."),
+    _("Forty times Left: three turns and a third."),
 )
 def back(work, solution):
     tips = [
@@ -22,4 +22,4 @@ def back(work, solution):
     ]
     if len(tips) == 2 and np.abs(tips[0] - tips[1]).max() < 0.02:
         return None
-    return hint(_("After thirteen times Left the hand is not where it should be."))
+    return hint(_("After forty times Left the hand is not where it should be."))
