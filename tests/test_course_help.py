@@ -13,7 +13,7 @@ from framelens.base.texts import said
 
 COMMANDS = (
     *("lesson", "exercise", "exercise list", "exercise start", "exercise solution"),
-    *("exercise check", "lecture"),
+    *("exercise new", "exercise test", "exercise pack", "exercise check", "lecture"),
 )
 
 
