@@ -1,4 +1,4 @@
-"""A lecturer's own exercises, in any folder: begun, tried, handed out, checked, graded."""
+"""A lecturer's own exercises, in any folder: from beginning to grading; and own lessons."""
 
 import io
 import shutil
@@ -19,6 +19,7 @@ from landscape.course.exercise import Grader, Report, gradings
 from landscape.course.grader import recorded
 from landscape.course.grader.mutants import Mutant, mutants
 from landscape.course.own_exercise import FRENCH, new, untranslated, with_new_texts
+from landscape.course.own_lesson import own_lesson
 from landscape.course.rehearsal import Rehearsal, count
 from landscape.course.roster.grades import Rules, grade_class
 from landscape.course.roster.page import as_page
@@ -303,3 +304,26 @@ def test_the_commands_begin_start_and_pack_an_exercise(tmp_path: Path) -> None:
     done = landscape("exercise", "test", NAME, "--french", "--lang", "fr", cwd=tmp_path)
     assert done.status == 1 and "échoue à placed, alors que turns est attendu" in done.out
     assert translator("fr", "course")("The exercise does not hold yet.") in done.out
+
+
+def test_a_program_of_ones_own_is_a_lesson(tmp_path: Path) -> None:
+    code = new(NAME, "en")["solution.py"]
+    tags = "# picture: frame 2 after RIGHT\n"
+    (tmp_path / "mine.py").write_text(f'"""A hand\n\nIt turns.\n"""\n{tags}{code}')
+    done = landscape("lesson", "./mine.py", "--out", "hand.png", cwd=tmp_path)
+    assert (done.status, done.out) == (0, "hand.png\n"), done.err
+    found = own_lesson(tmp_path / "mine.py")
+    assert (found.name, found.title, found.about) == ("mine", "A hand", ("It turns.",))
+    assert (found.frame, found.pressed) == (2, ("RIGHT",))
+
+    (tmp_path / "bare.py").write_text(code)
+    assert own_lesson(tmp_path / "bare.py").title == "bare"
+    (tmp_path / "wrong.py").write_text("# picture: third\n")
+    (tmp_path / "broken.py").write_text("def f(:\n")
+    for name, *words, expected in (
+        ("wrong.py", "wrong.py: expected `# picture: frame N"),
+        ("broken.py", "broken.py, line 1: is not Python (invalid syntax)"),
+        ("absent.py", "absent.py: cannot be read"),
+        ("bare.py", "--copy", "--copy: expected a lesson of the course, not bare.py"),
+    ):
+        refused(landscape("lesson", name, *words, cwd=tmp_path), expected)

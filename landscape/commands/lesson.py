@@ -26,10 +26,11 @@ from landscape.course.ladder import (
     program_files,
 )
 from landscape.course.language import translated
+from landscape.course.own_lesson import own_lesson
 from landscape.course.pages import wrapped
 
 EXAMPLE = "matrix_stack"
-LESSON = _("a lesson; without one, the lessons are listed")
+LESSON = _("a lesson, or the file of one of your own; without one, the lessons are listed")
 COPY = _(
     "copy it, with what it reads and its plain programs, into a folder; default: the current one"
 )
@@ -46,7 +47,7 @@ WIDTH = 96  # chosen: columns of a docstring, at most
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
-    parser.add_argument("name", nargs="?", default="", metavar="NAME", help=LESSON)
+    parser.add_argument("name", nargs="?", default="", metavar="NAME|FILE.py", help=LESSON)
     what = parser.add_mutually_exclusive_group()
     what.add_argument(
         "--out", type=Path, metavar="FILE.png", help=_("draw it to a file, without a screen")
@@ -63,11 +64,16 @@ def run(options: argparse.Namespace) -> int:
     if not options.name:
         _list(options)
         return 0
-    chosen = lesson(options.name)
+    own = options.name.endswith(".py")
+    chosen = own_lesson(Path(options.name)) if own else lesson(options.name)
     if options.out is not None:
         picture(chosen, options.out, options.backend)
         print(options.out)
     elif options.copy is not None:
+        if own:
+            raise InputError(
+                "--copy: expected a lesson of the course, not {name}", name=options.name
+            )
         for path in copy(chosen, options.copy):
             print(path)
     elif options.inspect:
@@ -109,8 +115,9 @@ def show(chosen: Lesson) -> int:
                 "or xvfb-run",
                 reason=reason,
             )
+    said = translator(choose(os.environ), "course", "lessons", chosen.file.parent)
     for line in chosen.about:
-        print(translated(line), file=sys.stderr)
+        print(said(line), file=sys.stderr)
     from framelens.inspector.program_inspector import inspect
 
     print(translated(WHY_KEY[0]), file=sys.stderr)

@@ -15,6 +15,7 @@ A plain program is there twice: NAME.py is written with GLFW, NAME_glut.py with 
 
 import ast
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -77,6 +78,7 @@ TOPICS: Texts = {
     "voxels": "Voxels",
     "flyover": "Fly-over",
 }
+TAG = re.compile(r"^# (topic|needs|picture|loop|keys|programs): (.+)$", re.MULTILINE)
 NAMES = tuple(name for names in LADDER.values() for name in names)
 
 
@@ -138,29 +140,36 @@ def lessons() -> list[Lesson]:
 
 
 def read(file: Path) -> Lesson:
-    """Read what a lesson's file says of it; ValueError where a tag is missing or wrong."""
+    """Read what a lesson's file says of it; ValueError where a tag is missing, or is wrong."""
     source = file.read_text(encoding="utf-8")
     title, *about = paragraphs(ast.get_docstring(ast.parse(source)) or "")
-    tags = dict(
-        re.findall(r"^# (topic|needs|picture|loop|keys|programs): (.+)$", source, re.MULTILINE)
-    )
+    tags = dict(TAG.findall(source))
     missing = {"topic", "needs", "picture", "keys"} - set(tags)
     if missing:
         raise ValueError(f"{file}: lacks the tags {', '.join(sorted(missing))}")
+    return described(file, source, [title, *about], tags)
 
+
+def described(file: Path, source: str, texts: Sequence[str], tags: Mapping[str, str]) -> Lesson:
+    """Return a lesson by what its file says: the paragraphs of its docstring, and its tags.
+
+    InputError where a tag is wrong.
+    """
     picture = re.fullmatch(r"frame (\d+)(?: after ([A-Z0-9_ ]+))?", tags["picture"])
     loop = re.fullmatch(r"(\d+) frames", tags.get("loop", "0 frames"))
     if not picture or not loop:
-        raise ValueError(f"{file}: expected `picture: frame N [after KEY ...]`, `loop: N frames`")
+        raise InputError(
+            "{file}: expected `# picture: frame N [after KEY ...]`, `# loop: N frames`", file=file
+        )
 
     return Lesson(
         name=file.stem,
-        title=title,
+        title=texts[0],
         file=file,
         topic=tags["topic"],
         needs=tuple(re.findall(r"\w+", tags["needs"].replace("none", ""))),
         lines=len(source.splitlines()),
-        about=tuple(about),
+        about=tuple(texts[1:]),
         frame=int(picture[1]),
         pressed=tuple((picture[2] or "").split()),
         loop=int(loop[1]),

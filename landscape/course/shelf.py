@@ -220,7 +220,10 @@ def read(name: str, folder: Path, domain: str | Path) -> Exercise:
     except (SyntaxError, ValueError) as error:
         line = getattr(error, "lineno", None) or 1
         raise InputError(
-            "{path}, line {line}: is not Python ({reason})", path=path, line=line, reason=str(error)
+            "{path}, line {line}: is not Python ({reason})",
+            path=path,
+            line=line,
+            reason=getattr(error, "msg", None) or str(error),
         ) from None
 
     title, *task = paragraphs(docstring)
