@@ -17,6 +17,7 @@ WORKER = "PYTEST_XDIST_WORKER" in os.environ
 if WORKER:
     os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe's threads compete with the workers
 else:
+    os.environ["LANDSCAPE_CONFIG"] = ""  # no preferences of whoever runs the tests
     os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
     # All workers take the same day, even if a run goes past midnight.
     os.environ.setdefault("LANDSCAPE_TESTS_DAY", str(date.today().toordinal()))

@@ -6,12 +6,14 @@ import chessboard_scene
 import glfw
 import pytest
 
+from framelens.inspector.keys import us_name
 from landscape.scene.scene import SCENES, scene
 from landscape.settings import declare
 from landscape.settings.declare import Toggle
 from landscape.walk.digits import help_rows, pressed
 from landscape.walk.hands import Hands
-from landscape.walk.keys import BINDINGS, Namer, label, letters_in, us_name
+from landscape.walk.keymap import DEFAULT
+from landscape.walk.keys import BINDINGS, Namer, letters_in
 
 pytestmark = pytest.mark.window
 
@@ -117,6 +119,6 @@ def test_letters_of_a_scene_leave_each_action_a_key_and_can_be_toggled(name: str
     actions = {binding.action for binding in BINDINGS if binding.letter}
     assert set(letters.values()) == actions | kind.letters.keys()
     for letter, toggle in kind.letters.items():
-        assert label(letter, us_name, kind.letters) == letter
+        assert DEFAULT.letter_label(letter, "en", us_name, kind.letters) == letter
         value = toggle.next(kind.settings)
         assert declare.with_settings(kind.settings, {toggle.setting: value}) != kind.settings

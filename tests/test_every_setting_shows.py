@@ -392,6 +392,7 @@ BY_THE_WINDOW = {
     "walk.mouse_relative": "decides what the window makes of the mouse",
     "walk.swim": "is seen where there is deep water",
     "walk.solid": "is seen where there are trees: see test_island.py",
+    "walk.jump": "is seen by one who jumps: see test_walker.py",
 }
 
 

@@ -11,6 +11,7 @@ from commands import need_library
 
 from framelens.gl.framebuffer import read_pixels
 from framelens.gl.glfw_library import glfw
+from framelens.inspector.keys import us_name
 from landscape.flyover import frame
 from landscape.flyover.app.window import FILLED, LINES, Flying, show
 from landscape.flyover.camera import Camera
@@ -19,7 +20,6 @@ from landscape.flyover.settings import PRESETS, Settings
 from landscape.settings.declare import get, next_value, with_settings
 from landscape.walk import words
 from landscape.walk.free_flight import LEAST, STEEPEST, advance, moves
-from landscape.walk.keys import us_name
 from landscape.walk.walker import Intent
 
 SIZE = (96, 72)

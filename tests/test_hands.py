@@ -9,12 +9,11 @@ from framelens.inspector.keys import inspect_pick, us_name
 from framelens.inspector.wheel import Wheel
 from landscape.walk import hands as hands_module
 from landscape.walk.hands import JUMP, Hands
+from landscape.walk.keymap import DEFAULT
 from landscape.walk.keys import (
-    BY_ACTION,
     LETTERS,
     UNDER_THE_HAND,
     Namer,
-    labels,
     layout,
     pick,
 )
@@ -68,8 +67,8 @@ def test_a_letter_that_stands_for_a_word_is_the_key_it_is_printed_on() -> None:
     assert hands.take() == (Intent(), ()), "this key prints a comma"
     hands.key(glfw.KEY_SEMICOLON, PRESS)
     assert hands.take() == (Intent(), ("map",))
-    assert labels(BY_ACTION["map"], "fr", AZERTY) == "M"
-    assert labels(BY_ACTION["walk"], "fr", AZERTY) == "Z Q S D"
+    assert DEFAULT.labels("map", "fr", AZERTY) == "M"
+    assert DEFAULT.labels("walk", "fr", AZERTY) == "Z Q S D"
 
 
 def test_a_key_under_the_walking_hand_walks_whatever_is_printed_on_it() -> None:
@@ -81,7 +80,7 @@ def test_a_key_under_the_walking_hand_walks_whatever_is_printed_on_it() -> None:
     for letter, action in (("R", "reflection"), ("F", "fly")):
         key = layout(COLEMAK)[letter]
         assert key not in UNDER_THE_HAND and COLEMAK(key) not in LETTERS
-        assert labels(BY_ACTION[action], "en", COLEMAK) == COLEMAK(key)
+        assert DEFAULT.labels(action, "en", COLEMAK) == COLEMAK(key)
     hands.key(layout(COLEMAK)["R"], PRESS)
     assert hands.take()[1] == ("reflection",)
 
@@ -93,12 +92,12 @@ def test_every_letter_has_a_key_of_its_own_on_every_keyboard(name: Namer) -> Non
     assert len(set(keys.values())) == len(keys)
     assert UNDER_THE_HAND.isdisjoint(keys.values())
     for key in keys.values():
-        assert labels(BY_ACTION["help"], "en", name) and (name(key) or us_name(key))
+        assert DEFAULT.labels("help", "en", name) and (name(key) or us_name(key))
 
 
 def test_letters_that_no_key_prints_stay_where_a_us_keyboard_has_them() -> None:
     assert layout(GREEK) == {letter: ord(letter) for letter in LETTERS}
-    assert labels(BY_ACTION["map"], "en", GREEK) == "Μ"
+    assert DEFAULT.labels("map", "en", GREEK) == "Μ"
 
 
 def test_the_letters_follow_a_layout_that_changes_during_the_walk() -> None:

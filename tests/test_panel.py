@@ -14,10 +14,12 @@ from framelens.base.fonts import font, writable
 from framelens.base.texts import choose
 from framelens.gl.framebuffer import Framebuffer
 from framelens.gl.seam import gl
+from framelens.inspector.keys import us_name
 from framelens.inspector.panel import Panel, keys_image, line_image, text_size
 from landscape.island.fixes import FIXES
 from landscape.walk import words
-from landscape.walk.keys import BINDINGS, LETTERS, NAMED_KEYS, SETTINGS, labels, us_name
+from landscape.walk.keymap import DEFAULT
+from landscape.walk.keys import BINDINGS, LETTERS, NAMED_KEYS, SETTINGS
 
 pytestmark = pytest.mark.window
 
@@ -104,7 +106,10 @@ def test_text_is_larger_on_a_display_of_high_resolution_and_still_fits(
 def key_rows(language: str) -> list[tuple[str, str]]:
     """Return the rows of the help as a US keyboard has them."""
     return [
-        (labels(binding, language, us_name), words.text(language, f"help.{binding.action}"))
+        (
+            DEFAULT.labels(binding.action, language, us_name),
+            words.text(language, f"help.{binding.action}"),
+        )
         for binding in BINDINGS
     ]
 

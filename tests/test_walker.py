@@ -22,6 +22,8 @@ from landscape.walk.walker import (
     FALL,
     FLOOR,
     FLY,
+    GRAVITY,
+    LEAP,
     MARGIN,
     RADIUS,
     RIPPLE,
@@ -467,3 +469,39 @@ def test_a_walker_knows_that_he_is_at_the_edge_of_the_map():
             walker = replace(at(20.0, 20.0, yaw), flying=flying)
             assert not go(walker, FORWARD, 10.0).at_edge
             assert go(walker, FORWARD, 60.0, frames=60).at_edge
+
+
+JUMP = with_settings(SETTINGS, {"walk.jump": True, "walk.bob": 0.0})
+
+
+@pytest.mark.parametrize("frames", [20, 60, 240])
+def test_a_jump_is_as_high_and_as_long_at_any_frame_rate(frames: int) -> None:
+    walker = start(Pose(20.0, None, 20.0, 0.0, 0.0), flat(), JUMP)
+    ground = walker.y
+    heights = []
+    for frame in range(frames):
+        wish = Intent(forward=1.0, up=float(frame == 0))
+        walker = advance(walker, wish, 1.0 / frames, flat(), (), JUMP)
+        heights.append(walker.y - ground)
+    assert max(heights) == pytest.approx(LEAP**2 / (2 * GRAVITY), rel=0.02)
+    aloft = sum(height > 0 for height in heights) / frames
+    assert aloft == pytest.approx(2 * LEAP / GRAVITY, abs=1.5 / frames)
+    assert walker.rise == walker.drop == 0.0 and walker.z < 20.0  # he went on in the air
+
+
+def test_only_one_who_stands_jumps_and_only_where_the_setting_says_so() -> None:
+    up = Intent(up=1.0)
+    assert go(at(20.0, 20.0), up, 0.1).drop == 0.0
+    one = go(start(Pose(20.0, None, 20.0), flat(), JUMP), up, 0.1, settings=JUMP)
+    assert go(one, up, 0.1, settings=JUMP).rise < one.rise < LEAP  # no second leap in the air
+    flying = go(one, Intent(fly=True), 0.01, settings=JUMP)
+    assert flying.flying and flying.rise == flying.drop == 0.0
+
+
+def test_a_swimmer_does_not_jump() -> None:
+    sea = flat(0.0)
+    walker = start(Pose(20.0, None, 20.0), sea, with_settings(JUMP, {"walk.swim": True}))
+    swimming = with_settings(JUMP, {"walk.swim": True})
+    walker = advance(walker, Intent(), 0.1, sea, (), swimming)
+    assert walker.swimming
+    assert advance(walker, Intent(up=1.0), 0.1, sea, (), swimming).rise == 0.0

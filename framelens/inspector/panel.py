@@ -37,6 +37,11 @@ def text_size(size: tuple[int, int], dpi: float = 1.0) -> int:
     return max(SMALLEST, min(max(size[1] // LINES, readable), size[0] // 40))
 
 
+def enlarged(size: tuple[int, int], dpi: float, times: float) -> float:
+    """Return the ``dpi`` with which :func:`text_size` is ``times`` as large, if it fits."""
+    return dpi if times == 1.0 else times * text_size(size, dpi) / READABLE
+
+
 def keys_image(
     title: str, rows: Sequence[tuple[str, str]], size: tuple[int, int], dpi: float = 1.0
 ) -> np.ndarray:
@@ -146,9 +151,9 @@ class Panel:
         self._title, self._rows = title, tuple(rows)
         self._plates: dict[str, tuple[Hashable, Plate]] = {}
 
-    def set_rows(self, rows: Sequence[tuple[str, str]]) -> None:
-        """Change the list of keys."""
-        self._rows = tuple(rows)
+    def set_rows(self, rows: Sequence[tuple[str, str]], title: str = "") -> None:
+        """Change the list of keys, and its title if there is one."""
+        self._title, self._rows = title or self._title, tuple(rows)
 
     @drawing("panel")
     def draw(
@@ -201,9 +206,8 @@ class Panel:
                 plate.draw((size[0] - plate.width) // 2, lower, 1.0)
 
             if message:
-                plate = self._plate(
-                    "line", (message, size), lambda: line_image(message, size, self.dpi)
-                )
+                line = message, size, self.dpi
+                plate = self._plate("line", line, lambda: line_image(*line))
                 # In the middle of what the picture at the left leaves free, if it fits there.
                 middle = (size[0] + covered - plate.width) // 2
                 x = max(min(middle, size[0] - plate.width), 0)

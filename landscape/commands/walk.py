@@ -1,10 +1,12 @@
 """`landscape walk`: a scene in a window."""
 
 import argparse
+import os
 from dataclasses import astuple, replace
 from pathlib import Path
 
 from framelens.base.errors import InputError
+from framelens.base.texts import choose, said
 from framelens.commands import option_values
 from framelens.commands.common import edits_option
 from framelens.commands.parser import language_option
@@ -26,6 +28,7 @@ ALONG = (
     "of island, alps or canyon"
 )
 REPLAY = "replay a recorded walk; `tour` is the one that comes with the program"
+FRESH = "without your preferences, which F2 in the walk changes and keeps"
 # The options that are arguments of the walk.
 PASSED_ON = (
     "size",
@@ -61,6 +64,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     language_option(parser, "language of the window")
 
+    parser.add_argument("--fresh", action="store_true", help=FRESH)
+
     # Files that it reads and writes.
     edits_option(parser)
     parser.add_argument("--world", type=Path, metavar="FILE", help=f"{WORLD}, loaded and saved")
@@ -93,6 +98,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Walk until the user leaves; return the exit status."""
+    from landscape.walk import preferences
     from landscape.walk.recording import MAX_NUMBER
     from landscape.walk.session import walk
 
@@ -107,19 +113,24 @@ def run(options: argparse.Namespace) -> int:
     if options.kt is not None:
         begin = replace(begin, kt=options.kt)
 
-    changes = given_changes(options, kind)
+    wishes, wrong = preferences.read() if not options.fresh else (preferences.Preferences(), [])
+    language = options.lang or wishes.language or choose(os.environ)
+    notify(options, [said(message, language) for message in wrong])
+    given = given_changes(options, kind)
     if options.replay is None:
         only = kind.shown(begin) if options.only is None else options.only
         standing = replace(begin, shown=())
-        notices = kind.notices(standing, options.preset, changes, only, walking=True)
+        notices = kind.notices(standing, options.preset, given, only, walking=True)
         notify(options, list(notices.values()))
 
+    changes = {**wishes.changes(type(kind.settings)), **given}
     return walk(
         kind,
         begin,
         settings=kind.values(kind.preset_of(begin), begin.settings, changes),
         assets=Assets(options.assets),
-        language=options.lang,
+        language=options.lang or wishes.language,
         given=changes,
+        preferences=wishes,
         **{name: getattr(options, name) for name in PASSED_ON},
     )

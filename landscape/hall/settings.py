@@ -417,7 +417,7 @@ class Settings:
 
     camera: Camera = Camera(fov=66.0, far=40.0, cull=True)
     clock: Clock = Clock()
-    walk: Walk = Walk(speed=0.35, mouse_relative=True, bob=0.003, solid=True)
+    walk: Walk = Walk(speed=0.35, mouse_relative=True, bob=0.003, solid=True, jump=True)
     # Chosen: in the south-east, so that the windows' light falls across the nave.
     sun: Sun = Sun(azimuth=103.0, elevation=30.0, diffuse=(1.0, 0.92, 0.78), ambient=(0.3,) * 3)
     fog: Fog = Fog(enabled=False)

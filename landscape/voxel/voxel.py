@@ -457,6 +457,6 @@ SCENE = SceneOf(
     blocks=True,
     # The light of each face is in its colours, which are rounded.
     baked=("time", "sun", "shadow.color", "voxel.slope"),
-    # Regions have a switch of their own, ``voxel.cull``; blocks are always solid.
-    unread=("camera.cull", "camera.lod_pixels", "walk.solid"),
+    # Regions have a switch of their own, ``voxel.cull``; blocks are always solid, and one jumps.
+    unread=("camera.cull", "camera.lod_pixels", "walk.solid", "walk.jump"),
 )

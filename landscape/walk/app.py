@@ -13,26 +13,30 @@ from typing import Self
 import numpy as np
 
 from framelens.base.errors import InputError, NoOpenGLError
-from framelens.base.texts import translator
+from framelens.base.texts import said, translator
 from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
 from framelens.gl.framebuffer import read_pixels
 from framelens.gl.glfw_library import glfw
 from framelens.gl.seam import gl
 from framelens.inspector.inspector_frame import Inspection
 from framelens.inspector.keys import system_name
-from framelens.inspector.panel import Panel
+from framelens.inspector.panel import Panel, enlarged
 from framelens.tape.edits import Edit
 from landscape.files.assets import Assets
 from landscape.geometry.doors import Door
 from landscape.scene.scene import Moment, scene
 from landscape.settings import declare
 from landscape.settings.declare import Value
-from landscape.walk import words
+from landscape.walk import pad, words
 from landscape.walk.builder import SWITCHES, Builder, WorldFile
 from landscape.walk.digits import help_rows, hint, pressed
 from landscape.walk.hands import Hands
-from landscape.walk.keys import BY_ACTION, SETTINGS, labels
+from landscape.walk.keys import SETTINGS
+from landscape.walk.list_image import list_image
+from landscape.walk.pad import Pad, PadState, steered
 from landscape.walk.place import Place, Places, at_doors, list_picture
+from landscape.walk.preferences import Preferences, keep
+from landscape.walk.preferences_list import PreferencesList
 from landscape.walk.recording import MAX_SECONDS, Plan, Tick
 from landscape.walk.screen import FrameRate, FullScreen, hide_cursor, save_screenshot
 from landscape.walk.sizes import Resizer, check_viewport
@@ -62,11 +66,13 @@ class Walk:
         edits: Sequence[Edit] = (),
         context: GLFWContext | None = None,
         world: WorldFile | None = None,
+        preferences: Preferences | None = None,
     ) -> None:
         """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
 
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
-        ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed.
+        ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed;
+        ``preferences`` are the user's keys, mouse and comfort.
         """
         self.headless = backend in (*HEADLESS, "headless")
         self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
@@ -74,7 +80,7 @@ class Walk:
         self._places, self._door = Places(plan), ""
         self.kt = plan.kt
         self.seconds = self._stood = 0.0  # that the walk went on, and stood still
-        self._language = plan.language
+        self._language = self._own_language = plan.language
         self._wireframe = plan.wireframe
         self._help = False
         self._message = ""
@@ -87,6 +93,10 @@ class Walk:
         self.resizer = Resizer()
         self._size = (0, 0)
         self.hands = Hands(system_name)
+        self._pad = Pad()
+        self._pad_state = PadState()
+        self.wishes = PreferencesList(preferences or Preferences())
+        self._heed(self.wishes.preferences)
         self._builder = Builder(world, plan.language)
         self._panel: Panel | None = None
         self.steady = Steady(fps)
@@ -109,13 +119,10 @@ class Walk:
         if not self.headless:
             glfw.swap_interval(1)
         self.hands.listen(self.window)
+        pad.add_mappings()
 
-        dpi = max(glfw.get_window_content_scale(self.window))
-        self._panel = Panel(
-            self._word("help.title"),
-            help_rows(self.place.kind, self.place.settings, self._language, system_name),
-            dpi,
-        )
+        self._dpi = max(glfw.get_window_content_scale(self.window))
+        self._panel = Panel(self._word("help.title"), self._help_rows(), self._dpi)
 
         self._wait("loading")
         with self.inspection.building():
@@ -123,7 +130,7 @@ class Walk:
             self._builder.opened(self.place.scene)
 
         self.walker = start(plan.pose, self.place.scene, plan.settings)
-        self._say(hint(self.place.kind, self._language, system_name))
+        self._say(hint(self.place.kind, self._language, system_name, self.hands.keymap))
         self._last = glfw.get_time()
         self._rate = FrameRate(self._named(self.place.kind.title))
 
@@ -172,8 +179,12 @@ class Walk:
             return None
 
         seconds = self._lap()
+        done = self._take_pad()
         intent, keys = self.hands.take()
         intent = self._aimed(intent)
+        look, blocks = self.place.settings.walk.mouse, self.place.kind.blocks
+        intent = steered(intent, self._pad_state, done, seconds, look, blocks)
+        keys += tuple(name for name in done if name not in (*pad.ORDERS, *pad.TOOLS))
         if self._inspect(self._context.scale()):
             # The walk stands still while a frame is looked into.
             self._stood += seconds
@@ -182,13 +193,65 @@ class Walk:
         keys = self._builder.switches(self.place.scene, keys)
         settings = self.place.settings
         switches, toggled, said = pressed(self.place.kind, settings, keys, self._language)
-        changes = self._changes(toggled)
+        changes = self._changes({**toggled, **self._choose()})
         note = self._note or said
         self._note = ""
 
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
         row = self.place.chooser.row
         return Tick(seconds, intent, switches, self._context.pixels(), note, row, changes)
+
+    def _take_pad(self) -> list[str]:
+        """Note the gamepad's state; return what its buttons do, besides orders and keys."""
+        listing = self.wishes.open or self.hands.listing
+        self._pad_state, done, keys = self._pad.take(listing)
+        if self.wishes.preferences.invert:
+            axes = self._pad_state.axes
+            self._pad_state = replace(self._pad_state, axes=(*axes[:3], -axes[3], *axes[4:]))
+        for key in keys:
+            self.hands.key(key, glfw.PRESS)
+            self.hands.key(key, glfw.RELEASE)
+        for order in done:
+            if order in pad.ORDERS:
+                self.obey(order)
+        return done
+
+    def _choose(self) -> dict[str, Value]:
+        """Carry out the keys pressed in the list of preferences; return what settings change."""
+        pressed, self.hands.choices = self.hands.choices, []
+        before = self.wishes.preferences
+        for key in pressed:
+            self.wishes.key(key, system_name, self.place.kind.letters)
+        if pressed and not self.wishes.open:
+            self._keep()
+        after = self.wishes.preferences
+        if after == before:
+            return {}
+        self._heed(after)
+        kind = type(self.place.settings)
+        former, wanted = before.changes(kind), after.changes(kind)
+        usual = {
+            key: declare.get(self.place.chooser.defaults, key) for key in former.keys() - wanted
+        }
+        return {**wanted, **usual}
+
+    def _heed(self, preferences: Preferences) -> None:
+        """Take the user's keys, mouse and language."""
+        self.hands.keymap = preferences.keys
+        self.hands.speed, self.hands.inverted = preferences.mouse_speed, preferences.invert
+        self._language = preferences.language or self._own_language
+
+    def _keep(self) -> None:
+        """Keep the preferences in the user's file, and leave the list."""
+        self.hands.choosing = False
+        try:
+            self._note = self._word("preferences.kept") if keep(self.wishes.preferences) else ""
+        except InputError as error:
+            self._note = said(error, self._language)
+
+    def _help_rows(self) -> list[tuple[str, str]]:
+        place, keymap = self.place, self.hands.keymap
+        return help_rows(place.kind, place.settings, self._language, system_name, keymap)
 
     def _lap(self) -> float:
         """Return the seconds since the last call."""
@@ -238,10 +301,15 @@ class Walk:
             self._note = self._note if done else self._word("no_monitor")
             self.hands.capture(self.hands.captured)
         elif order == "inspector":
-            letter = labels(BY_ACTION["inspector"], self._language, system_name)
+            letter = self.hands.keymap.labels("inspector", self._language, system_name)
             self.hands.inspecting = self.inspection.toggle(self._language, letter)
             if self.hands.captured:
                 self.obey("release")
+        elif order == "preferences":
+            self.wishes.toggle()
+            self.hands.choosing = self.wishes.open
+            if not self.wishes.open:
+                self._keep()
         elif order == "save":
             self._note = self._builder.save() or self._note
         else:
@@ -364,8 +432,15 @@ class Walk:
         self._done = self._word("list.taken" if self.place.scene is before else "list.rebuilt")
 
     def _at_left(self) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
-        """Return what the inspector's or the list's picture depends on, and how to make it."""
+        """Return what the picture at the left depends on, and how to make it.
+
+        It is that of the inspector, or of a list.
+        """
         assert self._panel is not None
+        if self.wishes.open:
+            page = self.wishes.page(self._language, system_name, self.place.kind.letters)
+            dpi = self._panel.dpi
+            return (page, dpi), lambda: list_image(page, self._size, dpi)
         if self.inspection.open or not self._row:
             return self.inspection.image(self._panel.dpi)
         shown = self._row, self._done, self._language
@@ -407,10 +482,10 @@ class Walk:
         self.inspection.draw(draw, (moment, *shows), self._size)
         if self._help:
             # The user may have changed the keyboard's layout.
-            self._panel.set_rows(
-                help_rows(self.place.kind, self.place.settings, self._language, system_name)
-            )
+            self._panel.set_rows(self._help_rows(), self._word("help.title"))
 
+        larger = self.wishes.preferences.text_size
+        self._panel.dpi = enlarged(self._size, self._dpi, larger)
         left = max(self._until - self.seconds - self._stood, 0.0)
         message, opacity = self._message if left else "", min(left / FADE, 1.0)
         cross, bar = self.inspection.cross(), self._builder.bar(scene, self._size)

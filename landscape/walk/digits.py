@@ -11,13 +11,18 @@ from landscape.scene.scene import Scene, SceneSettings
 from landscape.settings import declare as keys
 from landscape.settings.declare import Toggle, Value
 from landscape.walk import words
-from landscape.walk.keys import BY_ACTION, Namer, available, label, labels
+from landscape.walk.keymap import DEFAULT, Keymap
+from landscape.walk.keys import Namer, available
 
 BUILDING = ("dig", "place", "pick", "slots")  # rows of the help in a scene of blocks
 
 
 def help_rows(
-    kind: Scene, settings: SceneSettings, language: str, name: Namer
+    kind: Scene,
+    settings: SceneSettings,
+    language: str,
+    name: Namer,
+    keymap: Keymap = DEFAULT,
 ) -> list[tuple[str, str]]:
     """Return the rows of the help: keys as the keyboard labels them, and what they do.
 
@@ -25,7 +30,7 @@ def help_rows(
     """
     rows = [
         (
-            labels(binding, language, name, kind.letters),
+            keymap.labels(binding.action, language, name, kind.letters),
             _help(binding.action, kind.blocks, language),
         )
         for binding in available(settings, bool(kind.fixes), kind.blocks)
@@ -35,13 +40,14 @@ def help_rows(
     if kind.carried is not None:
         rows.append((words.text(language, "key.carry"), words.text(language, "help.carry")))
     for letter, toggle in kind.letters.items():
-        rows.append((label(letter, name, kind.letters), named(toggle, language)))
+        key = keymap.letter_label(letter, language, name, kind.letters)
+        rows.append((key, named(toggle, language)))
     return rows + [(digit, named(toggle, language)) for digit, toggle in kind.digits.items()]
 
 
-def hint(kind: Scene, language: str, name: Namer) -> str:
+def hint(kind: Scene, language: str, name: Namer, keymap: Keymap = DEFAULT) -> str:
     """Return what is said at the beginning of a walk: which key lists the others, and so on."""
-    keys = {each: labels(BY_ACTION[each], language, name) for each in ("help", "mouse")}
+    keys = {each: keymap.labels(each, language, name) for each in ("help", "mouse")}
     key = "hint.blocks" if kind.blocks else "hint"
     return words.text(language, key, letter=keys["help"], mouse=keys["mouse"])
 

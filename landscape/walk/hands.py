@@ -1,33 +1,21 @@
 """Collect keyboard and mouse input between two frames and turn it into the walker's intent."""
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Collection
 
 from framelens.gl.glfw_library import glfw
+from framelens.inspector.keys import us_name
 from framelens.inspector.requests import Requests
 from framelens.inspector.wheel import Wheel
+from landscape.walk.keymap import DEFAULT, Keymap
 from landscape.walk.keys import (
-    BACKWARD,
     BY_ACTION,
     DIGITS,
-    DOWN,
-    FORWARD,
-    LEFTWARD,
-    LETTERS,
     ORDER,
-    POSITIONS,
     REPEATED,
-    RIGHTWARD,
-    RUN,
-    TURN_LEFT,
-    TURN_RIGHT,
-    UP,
     WITH_SHIFT,
     Namer,
-    layout,
-    letters_in,
     pick,
-    us_name,
 )
 from landscape.walk.walker import Intent
 
@@ -55,14 +43,19 @@ class Hands:
     """Collects what GLFW reports between two frames; needs no window.
 
     ``name`` says what the keyboard prints on a key. It is asked at each press, as the user may
-    change the layout during the walk.
+    change the layout during the walk. ``keymap`` has the keys of each action.
     """
 
-    def __init__(self, name: Namer = us_name) -> None:
+    def __init__(self, name: Namer = us_name, keymap: Keymap = DEFAULT) -> None:
         self._name = name
+        self.keymap = keymap
         self.captured = False
         self.listing = False  # whether the list of settings is open
         self.picks: list[str] = []  # what was asked of it, see PICKS
+        self.choosing = False  # whether the list of preferences is open: it has all keys
+        self.choices: list[int] = []  # keys that were pressed meanwhile
+        self.speed = 1.0  # times which the mouse's motion counts
+        self.inverted = False  # whether the view goes up when the mouse goes down
         self.inspecting = False  # whether the inspector is open: it has some keys, and the mouse
         self.requests = Requests(name)  # what is asked of the inspector
         self.orders: list[str] = []
@@ -74,7 +67,7 @@ class Hands:
         # In a scene of blocks the buttons dig and build; while the mouse is free, dragging the left
         # one turns the view.
         self.building = False
-        self._letters = LETTERS
+        self._claimed: Collection[str] = ()  # letters that the scene has for itself
         self._clicked: set[str] = set()
         self._using: set[str] = set()
         self._pressed: tuple[float, float] | None = None  # where a click or a drag began
@@ -101,7 +94,7 @@ class Hands:
     def enter(self, building: bool, claimed: Collection[str]) -> None:
         """Take note of a scene: whether one builds there, and which letters it has for itself."""
         self.building = building
-        self._letters = letters_in(claimed)
+        self._claimed = claimed
 
     def key(self, key: int, action: int, mods: int = 0) -> None:
         """Note that a key went down or up, with GLFW's bits of Shift and so on.
@@ -111,6 +104,9 @@ class Hands:
         if action == glfw.RELEASE:
             self._held.discard(key)
             self.requests.key(key, action, mods)
+        elif self.choosing and self.keymap.positions.get(key) != "preferences":
+            self.choices.append(key)
+            return
         elif self.inspecting and self.requests.key(key, action, mods):
             return
         elif self.listing and (picked := pick(key, self._name)):
@@ -143,10 +139,11 @@ class Hands:
 
         That of a digit, and of a letter that the scene has for itself, is the character.
         """
-        if found := POSITIONS.get(key) or DIGITS.get(key):
+        if found := self.keymap.positions.get(key) or DIGITS.get(key):
             return found
-        letters = {place: letter for letter, place in layout(self._name, self._letters).items()}
-        return self._letters.get(letters.get(key, ""), "")
+        places = self.keymap.places(self._name, self._claimed)
+        letters = {place: letter for letter, place in places.items()}
+        return self.keymap.letters(self._claimed).get(letters.get(key, ""), "")
 
     def button(self, button: int, action: int, mods: int = 0) -> None:
         """Capture the mouse at the first click, strike at later ones; or give it to the inspector.
@@ -239,17 +236,21 @@ class Hands:
         """Return the intent since the last call, and the names of the switches pressed."""
         down = self._held | self._tapped  # a key tapped between two slow frames counts as well
 
-        def pair(plus: Iterable[int], minus: Iterable[int]) -> float:
-            return float(not down.isdisjoint(plus)) - float(not down.isdisjoint(minus))
+        def asked(action: str) -> bool:
+            return not down.isdisjoint(self.keymap.held(action))
+
+        def pair(plus: str, minus: str) -> float:
+            return float(asked(plus)) - float(asked(minus))
 
         switches = self._switches
+        right, below = self.speed * self._look[0], self.speed * self._look[1]
         intent = Intent(
-            forward=pair(FORWARD, BACKWARD),
-            right=pair(RIGHTWARD, LEFTWARD),
-            up=pair(UP, DOWN),
-            turn=pair(TURN_RIGHT, TURN_LEFT),
-            look=(self._look[0], self._look[1]),
-            run=not down.isdisjoint(RUN),
+            forward=pair("forward", "backward"),
+            right=pair("rightward", "leftward"),
+            up=pair("up", "down"),
+            turn=pair("turn_right", "turn_left"),
+            look=(right, -below if self.inverted else below),
+            run=asked("run"),
             strike="strike" in switches,
             # Two presses within a frame cancel out.
             fly=switches.count("fly") % 2 == 1,

@@ -3,16 +3,15 @@
 The keys under the walking hand are positions: GLFW names its key codes after the US layout, so
 KEY_W is the key labelled Z on an AZERTY keyboard. A key that stands for a word (M for map) is the
 one with that letter printed on it, wherever it is; :func:`layout` finds it. The help text of a
-binding is ``help.ACTION`` in words.py.
+binding is ``help.ACTION`` in words.py. What the user has chosen instead is in keymap.py.
 """
 
 from collections.abc import Collection
 from dataclasses import dataclass
 
 from framelens.gl.glfw_library import glfw
-from framelens.inspector.keys import PRINTING, Namer, sign, us_name
+from framelens.inspector.keys import PRINTING, Namer, sign
 from landscape.settings import declare as keys
-from landscape.walk import words
 
 HELD = "held"
 SWITCH = "switch"
@@ -63,6 +62,7 @@ BINDINGS = (
     Binding("mouse", (glfw.KEY_TAB,), ORDER),
     Binding("save", (glfw.KEY_F5,), ORDER),
     Binding("list", letter="L", elsewhere="O"),
+    Binding("preferences", (glfw.KEY_F2,), ORDER),
     Binding("inspector", letter="I", kind=ORDER),
     Binding("fullscreen", (glfw.KEY_F11,), ORDER),
     Binding("screenshot", (glfw.KEY_F12,), ORDER),
@@ -102,12 +102,17 @@ UNDER_THE_HAND = frozenset(
     (*FORWARD, *BACKWARD, *LEFTWARD, *RIGHTWARD, *UP, *DOWN, glfw.KEY_E, *RUN)
 )
 NAMED_KEYS = {
+    glfw.KEY_UP: "key.up",
+    glfw.KEY_DOWN: "key.down",
+    glfw.KEY_PAGE_UP: "key.page_up",
+    glfw.KEY_PAGE_DOWN: "key.page_down",
     glfw.KEY_LEFT: "key.left",
     glfw.KEY_RIGHT: "key.right",
     glfw.KEY_SPACE: "key.space",
     glfw.KEY_LEFT_SHIFT: "key.left_shift",
     glfw.KEY_ESCAPE: "key.escape",
     glfw.KEY_TAB: "key.tab",
+    glfw.KEY_F2: "key.f2",
     glfw.KEY_F5: "key.f5",
     glfw.KEY_F11: "key.f11",
     glfw.KEY_F12: "key.f12",
@@ -119,27 +124,33 @@ def letters_in(claimed: Collection[str]) -> dict[str, str]:
 
     ``claimed`` are the letters that the scene has for itself.
     """
-    actions = {_letter(each, claimed): each.action for each in BINDINGS if each.letter}
+    actions = {letter_of(each, claimed): each.action for each in BINDINGS if each.letter}
     return actions | {letter: letter for letter in claimed}
 
 
-def _letter(binding: Binding, claimed: Collection[str]) -> str:
+def letter_of(binding: Binding, claimed: Collection[str]) -> str:
     """Return the letter of a binding in a scene that has ``claimed`` for itself."""
     return binding.elsewhere if binding.letter in claimed else binding.letter
 
 
-def layout(name: Namer, more: Collection[str] = ()) -> dict[str, int]:
-    """Return the key of each letter in LETTERS on a keyboard; ``name`` says what a key prints.
+def layout(
+    name: Namer,
+    more: Collection[str] = (),
+    letters: Collection[str] = tuple(LETTERS),
+    reserved: Collection[int] = UNDER_THE_HAND,
+) -> dict[str, int]:
+    """Return the key of each of ``letters`` on a keyboard; ``name`` says what a key prints.
 
     Letters in ``more`` have a key, too, without taking that of another.
 
-    A key under the walking hand always walks. A letter that is printed there, or on no key (on a
-    Greek keyboard), takes the key at the letter's place on a US keyboard, or, if that key has
-    another duty, the first free one; so every letter has a key, and the help shows which.
+    A key under the walking hand, or another ``reserved`` one, has a duty of its own. A letter that
+    is printed there, or on no key (on a Greek keyboard), takes the key at the letter's place on a
+    US keyboard, or, if that key has another duty, the first free one; so every letter has a key,
+    and the help shows which.
     """
-    free = {key: name(key) for key in PRINTING if key not in UNDER_THE_HAND}
+    free = {key: name(key) for key in PRINTING if key not in reserved}
     found: dict[str, int] = {}
-    for wanted in (LETTERS, [letter for letter in more if letter not in LETTERS]):
+    for wanted in (letters, [letter for letter in more if letter not in letters]):
         for letter in wanted:
             key = next((key for key, printed in free.items() if printed == letter), None)
             if key is not None:
@@ -147,8 +158,8 @@ def layout(name: Namer, more: Collection[str] = ()) -> dict[str, int]:
                 del free[key]
         for letter in wanted:
             if letter not in found:
-                letters = (key for key in free if chr(key).isalpha())
-                found[letter] = ord(letter) if ord(letter) in free else next(letters)
+                others = (key for key in free if chr(key).isalpha())
+                found[letter] = ord(letter) if ord(letter) in free else next(others)
                 del free[found[letter]]
 
     return found
@@ -178,22 +189,3 @@ def available(settings: object, fixes: bool, blocks: bool = False) -> tuple[Bind
         and (fixes or binding.action not in ("fix", "next_fix", "go_to_fix"))
         and (blocks or binding.action not in ("mouse", "save"))
     )
-
-
-def labels(binding: Binding, language: str, name: Namer, claimed: Collection[str] = ()) -> str:
-    """Return what is printed on the keys of a binding, separated by spaces.
-
-    ``claimed`` are the letters that the scene has for itself.
-    """
-    if binding.letter:
-        return label(_letter(binding, claimed), name, claimed)
-    return " ".join(
-        words.text(language, NAMED_KEYS[key]) if key in NAMED_KEYS else name(key) or us_name(key)
-        for key in binding.keys
-    )
-
-
-def label(letter: str, name: Namer, claimed: Collection[str]) -> str:
-    """Return what is printed on the key of a letter in a scene that has ``claimed`` for itself."""
-    key = layout(name, letters_in(claimed))[letter]
-    return name(key) or us_name(key)

@@ -305,9 +305,11 @@ def _plan(line: Mapping[str, object]) -> Plan:
     seed = _kind(line["seed"], "seed", int)
     if seed < 0:
         raise ValueError(f"seed: expected a whole number from 0, not {seed}")
+    # A recording of the time before anybody jumped does not have that setting.
+    settings = {"walk.jump": False, **_kind(line["settings"], "settings", dict)}
     return Plan(
         scene=kind.name,
-        settings=with_settings(kind.settings, _kind(line["settings"], "settings", dict)),
+        settings=with_settings(kind.settings, settings),
         view=_kind(line["view"], "view", str),
         pose=Pose(x, y, z, yaw, pitch),
         size=_size(line["size"]),

@@ -20,6 +20,7 @@ from landscape.walk.builder import WorldFile
 from landscape.walk.course import Course
 from landscape.walk.loop import run
 from landscape.walk.pace import FPS
+from landscape.walk.preferences import Preferences
 from landscape.walk.recording import Plan, Writer, read
 
 SIZE = (1280, 720)  # chosen: window coordinates
@@ -46,6 +47,7 @@ def walk(
     edits: Path | None = None,
     world: Path | None = None,
     path: str | None = None,
+    preferences: Preferences | None = None,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
@@ -59,7 +61,7 @@ def walk(
     only reads; a recording does not contain what is in them. ``path`` is an SVG file, or the name
     of an environment of the fly-over, along whose path the walk begins; it cannot be recorded.
     ``given`` are the settings among ``settings`` that the user has set: they go with him through
-    doors.
+    doors. ``preferences`` are the user's keys, mouse and comfort; a replay takes the keys alone.
     Raises InputError and NoOpenGLError.
     """
     if backend == "cgl":
@@ -77,6 +79,7 @@ def walk(
     if replay is not None:
         plan, recorded = read(recording(replay))
         plan = replace(plan, language=language or plan.language)
+        preferences = Preferences(keys=preferences.keys) if preferences is not None else None
         if size is not None:
             plan = replace(plan, size=size)
             recorded = [replace(tick, size=size) for tick in recorded]
@@ -110,8 +113,10 @@ def walk(
     try:
         kept_rate = fps if ticks is None else 0.0
         enlarged = size is None and replay is None
+        if preferences is not None and replay is None:
+            fullscreen = fullscreen or preferences.fullscreen
         options = backend, fullscreen, kept_rate, enlarged, changes
-        with Walk(plan, assets, *options, world=kept_world) as opened:
+        with Walk(plan, assets, *options, world=kept_world, preferences=preferences) as opened:
             course = None
             if environment is not None:
                 course = Course(environment, opened.place.scene, settings, plan.language)

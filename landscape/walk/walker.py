@@ -32,6 +32,7 @@ WADE = 0.1  # chosen: units, the longest step where there may be water; in it, S
 RIPPLE = 0.004  # chosen: units, amplitude of the water's rise and fall under a swimmer
 RIPPLE_SECONDS = 2.6  # chosen: one rise and fall
 DEEP, SHALLOW = 1.1, 0.8  # chosen: times the depth at which one floats: where swimming begins, ends
+LEAP, GRAVITY = 0.32, 1.0  # chosen: units per second and per second squared: 0.05 units high
 MAX_PITCH = 89.0  # degrees; at 90 "forward" would have no direction on the map
 
 
@@ -64,7 +65,8 @@ class Intent:
 class Walker:
     """The eye's position in units, yaw and pitch in degrees, and the state of the body.
 
-    ``step`` is the report's k_step; ``drop`` is the height in units still to fall after a flight;
+    ``step`` is the report's k_step; ``drop`` is the height in units still to fall after a flight or
+    in a jump, ``rise`` the speed upwards in units per second of one who jumps;
     ``stroke`` is 0 at rest and 1 to 4 during a stroke of the sword, which began ``struck`` kt ago.
     ``afloat`` are the seconds spent in the water, which move the eye up and down; ``swimming`` says
     that the water is deep, ``at_edge`` that the map ends here. ``body`` is his body, None where he
@@ -79,6 +81,7 @@ class Walker:
     step: float = 0.0
     flying: bool = False
     drop: float = 0.0
+    rise: float = 0.0
     stroke: int = 0
     struck: float = 0.0
     afloat: float = 0.0
@@ -152,8 +155,8 @@ def advance(
         walker,
         yaw=(walker.yaw + turned) % 360.0,
         pitch=max(-MAX_PITCH, min(pitch, MAX_PITCH)),
-        drop=max(walker.drop - FALL * seconds, 0.0),
     )
+    walker = _jump_or_fall(walker, intent, seconds, settings)
     if intent.fly:
         walker = _take_off_or_land(walker, ground, settings)
     reach = walk.speed * (walk.run if intent.run else 1.0) * seconds
@@ -167,6 +170,26 @@ def advance(
         walker = _walk(walker, intent, heading, reach, ground, obstacles, settings)
 
     return _placed(walker, ground, settings)
+
+
+def _jump_or_fall(
+    walker: Walker, intent: Intent, seconds: float, settings: SceneSettings
+) -> Walker:
+    """Return the walker with his height over the ground after a leap, or a fall after a flight.
+
+    Where a scene gives him a body, that jumps by itself.
+    """
+    stands = walker.drop == 0.0 and not (walker.flying or walker.swimming)
+    rise = walker.rise
+    if settings.walk.jump and stands and intent.up > 0 and walker.body is None:
+        rise = LEAP
+    elif rise == 0.0:
+        return replace(walker, drop=max(walker.drop - FALL * seconds, 0.0))
+
+    drop = walker.drop + rise * seconds - GRAVITY * seconds**2 / 2
+    if walker.flying or drop <= 0.0:
+        return replace(walker, drop=0.0, rise=0.0)
+    return replace(walker, drop=drop, rise=rise - GRAVITY * seconds)
 
 
 def _placed(walker: Walker, ground: Terrain, settings: SceneSettings) -> Walker:
@@ -220,7 +243,7 @@ def eye_height(
 def _take_off_or_land(walker: Walker, ground: Terrain, settings: SceneSettings) -> Walker:
     """Start flying at the eye's position, or start falling from it."""
     if not walker.flying:
-        return replace(walker, flying=True, drop=0.0)
+        return replace(walker, flying=True, drop=0.0, rise=0.0)
     if walker.body is not None:
         return replace(walker, flying=False)
     eye = eye_height(walker.x, walker.z, walker.step, ground, settings, walker.afloat)

@@ -30,6 +30,7 @@ BEST: dict[str, Value] = {
     "walk.mouse_relative": True,
     "walk.swim": True,
     "walk.solid": True,
+    "walk.jump": True,
     "sun.fill": 0.45,
     "sun.shade": (0.35, 0.40, 0.49),
     "ground.resolution": 160,

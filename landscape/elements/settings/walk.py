@@ -94,3 +94,6 @@ class Walk:
         "trees, deer, boulders and the castle's keep stop the walker, as walls and animals do",
         needs=WALKING,
     )
+    jump: bool = setting(
+        False, "chosen", "the key that flies up makes one who walks jump", needs=WALKING
+    )

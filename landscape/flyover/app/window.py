@@ -23,7 +23,8 @@ from landscape.settings.declare import with_settings
 from landscape.walk import words
 from landscape.walk.free_flight import advance, moves
 from landscape.walk.hands import Hands
-from landscape.walk.keys import BY_ACTION, labels, pick
+from landscape.walk.keymap import DEFAULT
+from landscape.walk.keys import pick
 from landscape.walk.screen import FullScreen, hide_cursor, save_screenshot
 
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
@@ -54,7 +55,7 @@ FILLED = {
 WALKING = {
     "walk": "flyover.move",
     "turn": "help.turn",
-    "up_down": "help.up_down",
+    "up_down": "flyover.up_down",
     "run": "flyover.run",
     "fly": "flyover.free",
     "time": "flyover.pause",
@@ -150,7 +151,7 @@ class Flying:
         self._full_screen = FullScreen(self.context.size)
         self._last = self._since = glfw.get_time()
         self._frames = 0
-        self._say(self._word("hint", letter=labels(BY_ACTION["help"], language, system_name)))
+        self._say(self._word("hint", letter=DEFAULT.labels("help", language, system_name)))
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)
@@ -240,7 +241,7 @@ class Flying:
     def rows(self, name: Namer = system_name) -> list[tuple[str, str]]:
         """Return the rows of the help: keys, and what they do."""
         found = [
-            (labels(BY_ACTION[action], self._language, name), self._word(text))
+            (DEFAULT.labels(action, self._language, name), self._word(text))
             for action, text in WALKING.items()
         ]
         found.append(("+ -", self._word("flyover.speed")))
