@@ -5,7 +5,6 @@ a worker on another computer is refused if it differs.
 """
 
 import functools
-import socket
 import zlib
 from dataclasses import asdict, dataclass, fields
 
@@ -30,11 +29,14 @@ class Maker:
     renderer: str
 
     def differences(self, other: "Maker") -> str:
-        """Return in which words another differs: "numpy 2.1.0 (expected 2.3.5)"; "" if nowhere."""
+        """Return in which words another differs: "numpy 2.1.0 (expected 2.3.5)"; "" if nowhere.
+
+        What is not there here, anything may be there.
+        """
         found = []
         for field in fields(self):
             mine, theirs = getattr(self, field.name), getattr(other, field.name)
-            if mine != theirs:
+            if mine not in (theirs, NONE):
                 found.append(f"{field.name} {theirs} (expected {mine})")
         return ", ".join(found)
 
@@ -91,8 +93,3 @@ def renderer(backend: str) -> str:
             return offscreen.renderer
     except NoOpenGLError:
         return NONE
-
-
-def here() -> str:
-    """Return the name of this computer."""
-    return socket.gethostname()

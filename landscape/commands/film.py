@@ -2,16 +2,25 @@
 
 import argparse
 import os
+import sys
+from concurrent.futures import Executor
+from functools import partial
 from pathlib import Path
 
-from framelens.base.texts import choose
-from framelens.commands.option_values import jobs, number, refusal
+from framelens.base.errors import InputError, Message
+from framelens.base.executor import lent_or_own
+from framelens.base.texts import choose, said
+from framelens.commands.option_values import number, refusal
 from framelens.commands.parser import language_option
-from framelens.system.processes import cores
+from framelens.commands.reporting import notify
 from landscape.commands.changes import given_changes, tell_of_no_effect
 from landscape.commands.common import drawing_options, kt_option, size_option
+from landscape.commands.work import work, work_options
+from landscape.film.cut import Film
 from landscape.film.encode import check
+from landscape.film.folder import Parts, opened
 from landscape.film.making import finished, write
+from landscape.film.parted import draw, join, status
 from landscape.film.sources import Wanted, film_of, places
 from landscape.film.stage import Drawing
 from landscape.scene.scene import SCENES
@@ -29,13 +38,20 @@ SOURCES = (
 SECONDS = "how long the film is; default: %s"
 OWN = "as long as the path, at the speed of a flight; a single view 5, a recording all of it"
 JOBS = "processes that draw, each on a core of its own; default: one for each core"
+PARTS = (
+    "draw the film in parts of four seconds, which stay in this folder: whatever cuts it off, the "
+    "same command draws what is missing; without --out, only the parts"
+)
+SHARE = "with --parts: other processes, on other machines with the same folder, draw parts, too"
+JOIN = "make the film --out of the parts in a folder"
+STATUS = "print which parts a folder has, who works on which, and how long it still takes"
 OUT = "the film: H.264, VP9 or a GIF, by the name's ending (the first two need the extra `film`)"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
-    parser.add_argument("views", nargs="+", metavar="VIEW|FILE.svg|RECORDING|tour", help=SOURCES)
-    parser.add_argument("--out", type=Path, required=True, metavar="FILE.mp4|.webm|.gif", help=OUT)
+    parser.add_argument("views", nargs="*", metavar="VIEW|FILE.svg|RECORDING|tour", help=SOURCES)
+    parser.add_argument("--out", type=Path, metavar="FILE.mp4|.webm|.gif", help=OUT)
     parser.add_argument(
         "--fps",
         type=lambda text: _within(number(text), text, 1.0, MOST_FPS),
@@ -56,7 +72,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="where a path leads; flyover: over its own terrain, without OpenGL; default: island",
     )
     kt_option(parser, "animation time at the beginning")
-    parser.add_argument("--jobs", type=jobs, metavar="N", help=JOBS)
+    work_options(parser, JOBS)
+    group = parser.add_argument_group("parts")
+    group.add_argument("--parts", type=Path, metavar="DIR", help=PARTS)
+    group.add_argument("--share", action="store_true", help=SHARE)
+    group.add_argument("--join", type=Path, metavar="DIR|FILE.json", help=JOIN)
+    group.add_argument("--status", type=Path, metavar="DIR|FILE.json", help=STATUS)
     language_option(parser)
     size_option(parser, SIZE, "size of the film")
     drawing_options(parser, samples=4)
@@ -72,6 +93,64 @@ def _within(value: float, text: str, low: float, high: float) -> float:
 
 def run(options: argparse.Namespace) -> int:
     """Draw a film; return the exit status. Raises InputError and NoOpenGLError."""
+    if options.status is not None:
+        return _status(options)
+    if options.join is not None:
+        return _join(options)
+    return _draw(options)
+
+
+def _status(options: argparse.Namespace) -> int:
+    """Print what there is of the films in a folder."""
+    _refuse("--status", options, views=options.views, out=options.out, join=options.join)
+    for parts in opened(options.status, "--status"):
+        for line in status(parts):
+            print(said(line, _language(options)))
+    return 0
+
+
+def _join(options: argparse.Namespace) -> int:
+    """Join the parts in a folder."""
+    _refuse("--join", options, views=options.views, parts=options.parts)
+    found = opened(options.join, "--join")
+    if len(found) > 1:
+        names = ", ".join(f"film-{parts.plan.hash}.json" for parts in found)
+        raise InputError(
+            "--join {folder}: expected one of its files {names}", folder=options.join, names=names
+        )
+    return _joined(found[0], options)
+
+
+def _joined(parts: Parts, options: argparse.Namespace) -> int:
+    if options.out is None:
+        raise InputError("--join: expected --out, too, the name of the film")
+    check(options.out, *parts.plan.picture)
+    if options.out.suffix.lower() != parts.plan.ending:
+        raise InputError(
+            "--out {out}: the parts are of a film {ending}",
+            out=options.out,
+            ending=parts.plan.ending,
+        )
+    join(parts, options.out)
+    return _told(options.out, options)
+
+
+def _refuse(option: str, options: argparse.Namespace, **others: object) -> None:
+    """Raise InputError where something is given that an option does not go with."""
+    for name, value in others.items():
+        if value:
+            what = "VIEW" if name == "views" else f"--{name}"
+            raise InputError("{option}: not with {what}", option=option, what=what)
+
+
+def _draw(options: argparse.Namespace) -> int:
+    if not options.views:
+        raise InputError("film: expected VIEW, FILE.svg, RECORDING or tour")
+    if options.out is None and options.parts is None:
+        raise InputError("film: expected --out or --parts")
+    if options.share and options.parts is None:
+        raise InputError("--share: expected --parts, too, the folder that is shared")
+    language = _language(options)
     drawing = Drawing(options.size, options.samples, options.backend, options.assets, options.seed)
     wanted = Wanted(
         drawing,
@@ -82,16 +161,61 @@ def run(options: argparse.Namespace) -> int:
         only=options.only,
         kt=options.kt,
         wireframe=options.wireframe,
-        language=options.lang or choose(os.environ),
+        language=language,
     )
 
     found = places(options.views, wanted)
     changes = given_changes(options, *(kind for kind, _ in found))
     wanted = Wanted(**{**vars(wanted), "changes": changes})
 
-    check(options.out, options.size, wanted.rate)
+    out = options.out or options.parts / "film.mp4"
+    check(out, options.size, wanted.rate)
     film = film_of(options.views, wanted)
-    kept = write(film, options.out, options.jobs or cores(), options.quiet)
+    with work(options) as (workers, jobs):
+        if options.parts is not None:
+            return _draw_parts(film, out.suffix.lower(), workers, jobs, options)
+        kept = write(film, out, jobs, options.quiet, workers)
     if found:
         tell_of_no_effect(options, found, changes)
     return finished(film, kept, options)
+
+
+def _draw_parts(
+    film: Film, ending: str, workers: Executor | None, jobs: int, options: argparse.Namespace
+) -> int:
+    """Draw what is missing of a film's parts; join them if a film is asked for."""
+    try:
+        parting = draw(
+            film,
+            options.parts,
+            ending,
+            partial(lent_or_own, workers, jobs),
+            jobs,
+            options.share,
+            options.views,
+            options.quiet,
+        )
+    except KeyboardInterrupt:
+        line = Message(
+            "interrupted: run the same command again, it draws what {folder} lacks",
+            folder=options.parts,
+        )
+        notify(options, [said(line, _language(options))])
+        return 130
+    if parting.failed:
+        lines = [said(line, _language(options)) for line in parting.told()]
+        print(*(f"landscape: {line}" for line in lines), sep="\n", file=sys.stderr)
+        return 1
+    if options.out is None:
+        return _told(options.parts, options)
+    return _joined(parting.parts, options)
+
+
+def _told(path: Path, options: argparse.Namespace) -> int:
+    if not options.quiet:
+        print(path)
+    return 0
+
+
+def _language(options: argparse.Namespace) -> str:
+    return options.lang or choose(os.environ)

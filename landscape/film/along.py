@@ -7,7 +7,7 @@ twice the height of a walker's eyes, and over what stands there (geometry/roofs.
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from landscape.film.clip import Pictures
 from landscape.film.stage import Stage
@@ -30,6 +30,8 @@ class Along:
     seconds: float
     speed: float
 
+    needs_opengl: ClassVar[bool] = True
+
     def open(self, stage: Stage) -> Pictures:
         """Return what draws it."""
         opened = self.look.open(stage)
@@ -49,6 +51,8 @@ class Software:
     settings: Settings
     seconds: float
     begin: float = 0.0
+
+    needs_opengl: ClassVar[bool] = False
 
     @cached_property
     def flight(self) -> Any:

@@ -1,7 +1,8 @@
 """A clip: a part of a film that is drawn from its time alone.
 
 That is what lets several processes share a film: whichever draws a frame, and whatever it has drawn
-before, the picture is the same. A new kind of film is a class with these two members.
+before, the picture is the same. A new kind of film is a class with these three
+members.
 """
 
 from collections.abc import Callable
@@ -21,6 +22,10 @@ class Clip(Protocol):
     @property
     def seconds(self) -> float:
         """How long it is."""
+
+    @property
+    def needs_opengl(self) -> bool:
+        """Whether OpenGL draws it."""
 
     def open(self, stage: Stage) -> Pictures:
         """Return the function that draws it on a stage; it may open scenes there when called."""

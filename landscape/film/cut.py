@@ -45,6 +45,11 @@ class Film:
         """How many pictures it has, at least one."""
         return max(round(self.starts()[-1] * float(self.fps)), 1)
 
+    @property
+    def needs_opengl(self) -> bool:
+        """Whether any clip is drawn by OpenGL."""
+        return any(part.clip.needs_opengl for part in self.parts)
+
     def open(self, stage: Stage) -> Callable[[int], np.ndarray]:
         """Return the function that draws a frame, by its number from 0."""
         return Projector(self, stage).picture

@@ -20,7 +20,12 @@ from landscape.film.stage import Stage
 from landscape.scene.scene import SCENES
 
 DIED = "film: a process that draws was killed (perhaps out of memory; --jobs 1 takes the least)"
+SAMPLED = 12  # chosen: how many frames the palette of a GIF is made from
 TOO_LARGE = "not enough memory: expected a smaller --size or fewer --jobs"
+
+
+class TooLarge(InputError):
+    """There is not enough memory for a frame, on the computer that draws it."""
 
 
 def drawn(
@@ -46,7 +51,7 @@ def frame(packed: bytes, number: int) -> np.ndarray:
         with _open.opened(packed, lambda: _Opened(packed)) as film:
             return np.ascontiguousarray(film.picture(number))
     except MemoryError:
-        raise InputError(TOO_LARGE) from None
+        raise TooLarge(TOO_LARGE) from None
 
 
 def parts(
@@ -60,6 +65,13 @@ def parts(
         raise InputError(DIED) from None
     finally:
         close()
+
+
+def samples(film: Film, executor: Executor, jobs: int) -> list[np.ndarray]:
+    """Return some of the film's pictures, small, from all over it."""
+    count = min(SAMPLED, film.frames)
+    numbers = [(2 * k + 1) * film.frames // (2 * count) for k in range(count)]
+    return [pixels[::2, ::2] for pixels in drawn(film, executor, jobs, numbers)]
 
 
 def part_count(film: Film, format: Format) -> int:
@@ -83,7 +95,7 @@ def part(packed: bytes, format: Format, number: int) -> bytes:
                 encoder.add(np.ascontiguousarray(film.picture(each)))
             return encoder.finish()
     except MemoryError:
-        raise InputError(TOO_LARGE) from None
+        raise TooLarge(TOO_LARGE) from None
 
 
 def packed(film: Film) -> bytes:

@@ -6,17 +6,13 @@ from contextlib import closing, suppress
 from functools import partial
 from pathlib import Path
 
-import numpy as np
-
 from framelens.base.executor import lent_or_own
 from framelens.base.progress import Progress
 from framelens.commands.reporting import notify
 from framelens.system import interrupts_held
 from landscape.film.cut import Film
 from landscape.film.encode import FilmFile, Format, format_of
-from landscape.film.frames import drawn, part_frames, parts
-
-SAMPLED = 12  # chosen: how many frames the palette of a GIF is made from
+from landscape.film.frames import drawn, part_frames, parts, samples
 
 
 def write(
@@ -75,13 +71,6 @@ def _draw_parts(
             with interrupts_held():
                 file.add_part(data, count)
             progress.step("frames", count)
-
-
-def samples(film: Film, executor: Executor, jobs: int) -> list[np.ndarray]:
-    """Return some of the film's pictures, small, from all over it."""
-    count = min(SAMPLED, film.frames)
-    numbers = [(2 * k + 1) * film.frames // (2 * count) for k in range(count)]
-    return [pixels[::2, ::2] for pixels in drawn(film, executor, jobs, numbers)]
 
 
 def finished(film: Film, kept: int, options: argparse.Namespace) -> int:

@@ -8,7 +8,7 @@ per second than the walk had, or fewer. Messages, keys and lists are of the wind
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -35,6 +35,8 @@ class Recorded:
     plan: Plan
     ticks: tuple[Tick, ...]
     seconds: float
+
+    needs_opengl: ClassVar[bool] = True
 
     def open(self, stage: Stage) -> Pictures:
         """Return what draws it."""

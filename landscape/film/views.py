@@ -6,7 +6,7 @@ SLERP between the views' own, with a level horizon: what roll SLERP would give i
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, ClassVar, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -72,6 +72,8 @@ class Still:
     pose: Pose
     seconds: float
 
+    needs_opengl: ClassVar[bool] = True
+
     def lasting(self, seconds: float) -> "Still":
         """Return it as long as this."""
         return replace(self, seconds=seconds)
@@ -90,6 +92,8 @@ class Flight:
     poses: tuple[Pose, ...]
     spans: tuple[float, ...]
     seconds: float = field(init=False)
+
+    needs_opengl: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         """Know how long it is before anything is opened."""
