@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
@@ -18,6 +19,7 @@ from landscape.commands.shelves import shelf
 from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import _
 from landscape.course.roster import moodle, tables
+from landscape.course.roster.copies_page import Likeness, as_json, as_lines, as_section, likenesses
 from landscape.course.roster.grades import Graded, Rules, grade_class
 from landscape.course.roster.page import as_page, told
 from landscape.course.roster.submissions import submissions
@@ -57,6 +59,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=Path,
         metavar="FILE.zip",
         help=_("write a zip of feedback files for Moodle, a page for each student"),
+    )
+
+    own.add_argument(
+        "--copies",
+        action="store_true",
+        help=_("also list pairs of programs that share what is rare, for you to look at"),
     )
 
     # How it is graded.
@@ -113,7 +121,7 @@ def _jobs(text: str) -> int:
 def is_class(options: argparse.Namespace) -> bool:
     """Return whether more is asked about than one program."""
     many = len(options.files) > 1 or options.files[0].is_dir()
-    wanted = options.out or options.worksheet or options.feedback
+    wanted = options.out or options.worksheet or options.feedback or options.copies
     return bool(many or options.files[0].suffix.lower() == ".zip" or wanted)
 
 
@@ -128,6 +136,7 @@ def run(options: argparse.Namespace, language: str) -> int:
         moodle.filled(worksheet, {}, str(options.worksheet))
 
     found = submissions(options.files)
+    exercises = shelf(options.exercises)
     rules = Rules(
         language=language,
         seconds=options.seconds,
@@ -135,19 +144,25 @@ def run(options: argparse.Namespace, language: str) -> int:
         version=__version__,
         again=options.again,
         contain=options.contain or AUTO,
-        exercises=shelf(options.exercises).folder,
+        exercises=exercises.folder,
     )
     with Progress(len(found), options.quiet or options.json) as progress:
         graded = grade_class(found, rules, options.due, progress.step, jobs=options.jobs)
 
     translate = translator(language, "course")
-    _write(options, graded, worksheet, language, translate)
+    alike = likenesses(graded, exercises) if options.copies else None
+    _write(options, graded, worksheet, language, translate, alike)
     rows = [each.row for each in graded]
     if options.json:
-        sys.stdout.write(tables.as_json(rows).decode())
+        sys.stdout.write(tables.as_json(rows, _as_json(alike)).decode())
     elif not options.quiet:
-        print("\n".join(_table(graded, translate)))
+        pairs = as_lines(alike, translate) if alike is not None else []
+        print("\n".join([*_table(graded, translate), *pairs]))
     return 0 if all(row.passed for row in rows) else 1
+
+
+def _as_json(alike: Sequence[Likeness] | None) -> list[dict[str, Any]] | None:
+    return as_json(alike) if alike is not None else None
 
 
 def _check_outputs(options: argparse.Namespace) -> None:
@@ -173,6 +188,7 @@ def _write(
     worksheet: bytes,
     language: str,
     _: Translator,
+    alike: Sequence[Likeness] | None,
 ) -> None:
     rows = [each.row for each in graded]
     for path in options.out:
@@ -180,11 +196,12 @@ def _write(
         if kind == ".csv":
             write_whole(path, tables.as_csv(rows))
         elif kind == ".json":
-            write_whole(path, tables.as_json(rows))
+            write_whole(path, tables.as_json(rows, _as_json(alike)))
         elif kind == ".xml":
             write_whole(path, tables.as_junit(rows))
         elif kind == ".html":
-            write_whole(path, as_page(graded, language, _, hidden=True))
+            more = as_section(alike, _) if alike is not None else ""
+            write_whole(path, as_page(graded, language, _, hidden=True, more=more))
         else:
             for number, row in enumerate(rows, 1):
                 name = f"{number:04}-{_file_name(row.student)}"

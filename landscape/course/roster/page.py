@@ -30,14 +30,19 @@ td.points { white-space: nowrap; }
 img { display: block; margin-top: .4em; max-width: 100%; }
 tr.passed td.points { color: #1a6b2f; }
 tr.failed td.points { color: #9b1c1c; }
+.pair { display: grid; gap: 1em; grid-template-columns: 1fr 1fr; }
+pre { font-size: .75em; overflow-x: auto; }
 @media print { tr { break-inside: avoid; } }
 """
 
 
-def as_page(graded: Sequence[Graded], language: str, _: Translator, hidden: bool = False) -> bytes:
+def as_page(
+    graded: Sequence[Graded], language: str, _: Translator, hidden: bool = False, more: str = ""
+) -> bytes:
     """Return the page; pictures are in it, so that it is one file.
 
-    With ``hidden`` it also says which tests failed that students do not see.
+    With ``hidden`` it also says which tests failed that students do not see. ``more`` is HTML that
+    follows.
     """
     passed = sum(each.row.passed for each in graded)
     head = "".join(f"<th>{html.escape(_(each))}</th>" for each in COLUMNS)
@@ -57,6 +62,7 @@ def as_page(graded: Sequence[Graded], language: str, _: Translator, hidden: bool
 {body}
 </tbody>
 </table>
+{more}
 </html>
 """.encode("utf-8", "replace")
 

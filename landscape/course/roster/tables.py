@@ -40,9 +40,11 @@ def printable(text: str) -> str:
     return "".join(each if each.isprintable() else " " for each in text)
 
 
-def as_json(rows: Sequence[Row]) -> bytes:
-    """Return the rows as JSON: {"submissions": [...]}."""
-    whole = {"submissions": [asdict(row) for row in rows]}
+def as_json(rows: Sequence[Row], copies: Sequence[dict[str, Any]] | None = None) -> bytes:
+    """Return the rows as JSON: {"submissions": [...]}, and "copies" where those are asked for."""
+    whole: dict[str, Any] = {"submissions": [asdict(row) for row in rows]}
+    if copies is not None:
+        whole["copies"] = copies
     return (json.dumps(whole, indent=1, ensure_ascii=False) + "\n").encode("utf-8", "replace")
 
 

@@ -1,0 +1,198 @@
+"""Pairs of programs that share what is rare in their class: to be looked at, never a verdict.
+
+In an exercise most of every program is the start, and right programs resemble each other. So what
+the start has, in any language, or a solution, or a mistake that the exercise knows, is no evidence;
+nor is what many in the class have. The rest is evidence where two programs share it:
+
+- comments, names, numbers and texts that nobody else has;
+- the same sequence of tokens, whatever the names and numbers in it are: k-grams, of which winnowing
+  keeps the least hash of each window (Schleimer, Wilkerson and Aiken, Winnowing: Local Algorithms
+  for Document Fingerprinting, SIGMOD 2003).
+
+Renamed variables leave the sequences and the numbers, functions in another order leave all but some
+sequences, changed comments leave all but these.
+"""
+
+import io
+import keyword
+import math
+import re
+import tokenize
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from hashlib import blake2b
+from itertools import combinations
+
+from framelens.base.texts import LANGUAGES
+from landscape.course.grader.grading import _
+from landscape.course.grader.mutants import mutants
+from landscape.course.rehearsal import solutions
+from landscape.course.shelf import Exercise, source, start
+
+GRAM = 12  # tokens, chosen: about two short lines
+WINDOW = 4  # k-grams, chosen: what is as long as GRAM + WINDOW - 1 tokens is found
+COMMON = 4, 20  # chosen: what more than so many have, or than a 20th of the class, is not rare
+LEAST = 8.0  # chosen: a pair with less is not shown
+MANY = 30  # chosen: pairs that are shown
+COMMENT, NAME, NUMBER, TEXT, SEQUENCE = "comment", "name", "number", "text", "sequence"
+WORDS = {  # as a reader sees them
+    COMMENT: _("comment"),
+    NAME: _("name"),
+    NUMBER: _("number"),
+    TEXT: _("text"),
+    SEQUENCE: _("same sequence of tokens"),
+}
+MOST_WORDS = 4  # of a comment, chosen: more weigh no more
+LONG = 4  # letters of a name, or digits of a number, chosen: a shorter one may be chance
+SHORT_WEIGHT = 0.5  # chosen
+# Names that everybody writes: Python's, and OpenGL's.
+USUAL = re.compile(r"(gl|glu|glut|glfw)[A-Z]\w*|(GL|GLU|GLUT)_\w+|glfw|np|math|sys|numpy|self")
+Key = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Shared:
+    """A piece of evidence: its kind, what it is, and its line in either program."""
+
+    kind: str
+    text: str
+    lines: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two programs, by their numbers, and what they share; the highest ``score`` comes first."""
+
+    first: int
+    second: int
+    score: float
+    shared: Sequence[Shared]
+
+
+@lru_cache(maxsize=512)
+def traces(code: str) -> Mapping[Key, int]:
+    """Return what may be evidence in a program, with the line where each stands first.
+
+    What Python cannot read has as much as comes before that.
+    """
+    found: dict[Key, int] = {}
+    sequence: list[tuple[str, int]] = []
+    for token in _tokens(code):
+        line = token.start[0]
+        if token.type == tokenize.COMMENT:
+            words = re.findall(r"\w+", token.string.casefold())
+            if words:
+                found.setdefault((COMMENT, " ".join(words)), line)
+            continue
+        if token.type == tokenize.NAME and not keyword.iskeyword(token.string):
+            usual = USUAL.fullmatch(token.string) is not None
+            sequence.append((token.string if usual else "N", line))
+            if not usual:
+                found.setdefault((NAME, token.string), line)
+        elif token.type == tokenize.NUMBER:
+            sequence.append(("0", line))
+            found.setdefault((NUMBER, token.string), line)
+        elif token.type == tokenize.STRING:
+            sequence.append(("S", line))
+            found.setdefault((TEXT, " ".join(token.string.split())), line)
+        elif token.string.strip():
+            sequence.append((token.string, line))
+
+    for gram, line in _grams(sequence):
+        found.setdefault((SEQUENCE, gram), line)
+    return found
+
+
+def _tokens(code: str) -> Iterator[tokenize.TokenInfo]:
+    try:
+        yield from tokenize.generate_tokens(io.StringIO(code).readline)
+    except (tokenize.TokenError, SyntaxError, ValueError):
+        return
+
+
+def _grams(sequence: Sequence[tuple[str, int]]) -> Iterator[tuple[str, int]]:
+    """Yield each k-gram of tokens as a hash, with its line."""
+    for at in range(len(sequence) - GRAM + 1):
+        words = "\x00".join(word for word, _line in sequence[at : at + GRAM])
+        yield blake2b(words.encode("utf-8", "replace"), digest_size=8).hexdigest(), sequence[at][1]
+
+
+def winnowed(found: Mapping[Key, int]) -> dict[Key, int]:
+    """Return traces with few of their k-grams: of each window the one with the least hash."""
+    grams = [key for key in found if key[0] == SEQUENCE]
+    kept = {
+        min(grams[at : at + WINDOW], key=lambda key: key[1])
+        for at in range(max(len(grams) - WINDOW + 1, min(len(grams), 1)))
+    }
+    return {key: line for key, line in found.items() if key[0] != SEQUENCE or key in kept}
+
+
+def known(exercise: Exercise) -> set[Key]:
+    """Return what is no evidence: of the start, the solutions and the mistakes of an exercise."""
+    programs = [start(exercise, language) for language in LANGUAGES]
+    files = [path for path in solutions(exercise) if path.is_file()]
+    programs += [source(path) for path in files]
+    if (exercise.folder / "mutants.py").is_file() and files:
+        solution = source(files[0])
+        programs += [mutant.of(solution) for mutant in mutants(exercise).values()]
+    return {key for program in programs for key in traces(program)}
+
+
+def pairs(programs: Sequence[str], common: set[Key], whose: Sequence[str]) -> list[Pair]:
+    """Return the pairs of programs of an exercise that share rare evidence, the most first.
+
+    ``common`` is no evidence (:func:`known`). ``whose`` says whose each program is: two of the same
+    student are no pair.
+    """
+    found = [
+        winnowed({key: line for key, line in traces(code).items() if key not in common})
+        for code in programs
+    ]
+    owners: dict[Key, list[int]] = defaultdict(list)
+    for number, each in enumerate(found):
+        for key in each:
+            owners[key].append(number)
+
+    most = max(COMMON[0], len(programs) // COMMON[1])
+    shared: dict[tuple[int, int], list[Key]] = defaultdict(list)
+    for key, numbers in owners.items():
+        if len({whose[number] for number in numbers}) <= most:
+            for pair in combinations(numbers, 2):
+                shared[pair].append(key)
+
+    result = []
+    for (first, second), keys in shared.items():
+        score = sum(_weight(key) * _rarity(len(owners[key]), len(programs)) for key in keys)
+        if whose[first] != whose[second] and score >= LEAST:
+            lines = ((key, (found[first][key], found[second][key])) for key in keys)
+            result.append(Pair(first, second, round(score, 1), _listed(lines)))
+    return sorted(result, key=lambda pair: (-pair.score, pair.first, pair.second))[:MANY]
+
+
+def _weight(key: Key) -> float:
+    """Return how much a piece of evidence counts."""
+    kind, text = key
+    if kind == COMMENT:
+        return float(min(text.count(" ") + 1, MOST_WORDS))
+    if kind == SEQUENCE:
+        return 1.0
+    letters = len(re.sub(r"\W", "", text))
+    return 1.0 if letters >= LONG else SHORT_WEIGHT
+
+
+def _rarity(owners: int, programs: int) -> float:
+    """Return 1 for what two of many programs have, less for what more have."""
+    if programs <= 2:
+        return 1.0
+    return max(math.log(programs / owners) / math.log(programs / 2), 0.0)
+
+
+def _listed(keys: Iterable[tuple[Key, tuple[int, int]]]) -> list[Shared]:
+    """Return evidence in the order of the first program's lines; of sequences one for a line."""
+    found: dict[Key, Shared] = {}
+    for (kind, text), lines in sorted(keys, key=lambda each: (each[1], each[0])):
+        shown = "" if kind == SEQUENCE else text
+        found.setdefault((kind, shown or str(lines[0])), Shared(kind, shown, lines))
+    return list(found.values())
