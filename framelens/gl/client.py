@@ -6,6 +6,7 @@ calls of the arrays, and a copy of their contents with each draw call.
 """
 
 import ctypes
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -24,6 +25,17 @@ POINTERS = {
     "glIndexPointer": "GL_INDEX_ARRAY",
     "glEdgeFlagPointer": "GL_EDGE_FLAG_ARRAY",
     "glInterleavedArrays": "",  # several at once
+}
+# By the numbers of GL_VERTEX_ARRAY and so on, as a program may give them.
+KINDS = {
+    0x8074: "GL_VERTEX_ARRAY",
+    0x8075: "GL_NORMAL_ARRAY",
+    0x8076: "GL_COLOR_ARRAY",
+    0x8077: "GL_INDEX_ARRAY",
+    0x8078: "GL_TEXTURE_COORD_ARRAY",
+    0x8079: "GL_EDGE_FLAG_ARRAY",
+    0x8457: "GL_FOG_COORD_ARRAY",
+    0x845E: "GL_SECONDARY_COLOR_ARRAY",
 }
 # PyOpenGL's shorter names, as in glVertexPointerf(array).
 SHORT = ("glVertexPointer", "glNormalPointer", "glColorPointer", "glTexCoordPointer")
@@ -96,6 +108,21 @@ def pointer_kind(name: str) -> str | None:
     return POINTERS[full] if full else None
 
 
+def buffer_offset(value: object) -> int | None:
+    """Return where in the bound buffer a pointer argument leads; None for another argument.
+
+    PyOpenGL's VBO is read from its beginning. A ctypes.c_void_p may also be an address.
+    """
+    if isinstance(value, ctypes.c_void_p):
+        return value.value or 0
+    vbo = sys.modules.get("OpenGL.arrays.vbo")  # whoever has such an object has imported it
+    if vbo is not None and isinstance(value, vbo.VBO):
+        return 0
+    if vbo is not None and isinstance(value, vbo.VBOOffset):
+        return int(value.offset)
+    return None
+
+
 class ClientArrays:
     """Where the client arrays lie, by the calls that said so."""
 
@@ -117,7 +144,7 @@ class ClientArrays:
         if kind is not None:
             self._point(kind, name, args)
         elif name in ("glEnableClientState", "glDisableClientState"):
-            key = self._key(getattr(args[0], "name", str(args[0])))
+            key = self._key(KINDS.get(args[0], str(args[0])))
             self._enabled.pop(key, None)
             if name == "glEnableClientState":
                 self._enabled[key] = args[0]

@@ -28,6 +28,7 @@ from landscape.course.grader.grading import (
     equal_pictures,
     grade,
     hint,
+    same_drawing,
     same_pictures,
 )
 from landscape.course.grader.grading_file import Grading, read_grading
@@ -224,10 +225,11 @@ class Grader:
         went wrong, if anything did.
         """
         private = self._private()
-        jobs = [Job(str(path), frames, events, calls, self._seconds, private=private)]
+        jobs = [Job(str(path), frames, events, calls, self._seconds, private=private, again=calls)]
         if solution is None:
             program = solution_of(found.folder)
-            job = replace(jobs[0], path=str(program or recorded.PLAYER), trusted=True)
+            path_of = str(program or recorded.PLAYER)
+            job = replace(jobs[0], path=path_of, trusted=True, again=False)
             if program is None:
                 job = replace(job, recorded=str(found.folder / recorded.FILE), take=take)
             jobs.append(job)
@@ -247,7 +249,29 @@ class Grader:
         work = _evidence(path, outcomes[0], frames)
         if not isinstance(work, Evidence):
             work = {"seconds": self._seconds, "megabytes": jobs[0].megabytes, **work}
+        elif calls and (other := self._drawn_otherwise(work, frames, events)) is not None:
+            work = {"word": "forged", "frame": other}
         return work, solution
+
+    def _drawn_otherwise(
+        self, work: Evidence, frames: Sequence[int], events: Sequence[dict[str, Any]]
+    ) -> int | None:
+        """Return the first frame that the program's calls draw otherwise than it says, if any does.
+
+        They are made again by another process. None, too, if they cannot be.
+        """
+        if work.made is None:
+            return None
+        if recorded.parsed(work.made) is None:
+            return min(frames)
+        with self._sandbox.file(work.made) as file:
+            player = str(recorded.PLAYER)
+            job = Job(player, frames, events, seconds=self._seconds, recorded=str(file))
+            (outcome,) = self._sandbox.run([job])
+        again = _evidence(recorded.PLAYER, outcome, frames)
+        if not isinstance(again, Evidence):
+            return None
+        return next((n for n in frames if not same_drawing(work.frame(n), again.frame(n))), None)
 
     def _private(self) -> list[str]:
         """Return the folders in which a program must read nothing but itself."""

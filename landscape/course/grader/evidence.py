@@ -78,12 +78,14 @@ class Evidence:
     """What was noted of a program, by the frames that were looked at.
 
     ``early``: the first function that was called without a context, in vain, and the line.
+    ``made``: all its calls, to draw the frames again (recorded.py); None if they cannot be.
     """
 
     path: Path
     source: Sequence[str]
     frames: Mapping[int, Frame]
     early: tuple[str, int] | None = None
+    made: bytes | None = None
 
     def frame(self, number: int) -> Frame:
         """Return a frame that the exercise looks at."""

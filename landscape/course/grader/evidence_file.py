@@ -13,7 +13,8 @@ It is JSON with blobs beside it (stream.py):
 - "pointers": the pointer calls of vertex arrays that are drawn, each [name, arguments];
 - "states": OpenGL's state at the calls that draw, by the names of framelens/state/state.py; the
   first is whole, the others are what differs from it;
-- "early": null, or the first function that was called without a context, in vain, and the line.
+- "early": null, or the first function that was called without a context, in vain, and the line;
+- "made": null, or a blob: all frames as recorded.py writes them, to be drawn again.
 
 Calls are [first, each, ...]: a number stands for so many calls that only give numbers, of which
 ``first`` is the first, and [site, arguments, more] for another call. "more" may have "way", the
@@ -232,8 +233,14 @@ def load(path: Path, answer: Answer, wanted: Sequence[int]) -> Evidence:
         frames[number] = Frame(number, picture, setup, calls, reader.numbers)
 
     source = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    early = said.get("early")
-    return Evidence(path, source, frames, (str(early[0]), int(early[1])) if early else None)
+    early, made = said.get("early"), said.get("made")
+    return Evidence(
+        path,
+        source,
+        frames,
+        (str(early[0]), int(early[1])) if early else None,
+        bytes(blobs[made]) if made is not None else None,
+    )
 
 
 class _Reader:

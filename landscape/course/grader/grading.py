@@ -37,6 +37,7 @@ from landscape.course.grader.evidence import NO_LINE, Call, Draw, Evidence, Fram
 LEVELS = 24  # chosen: levels by which a pixel may differ from the solution's
 REACH = 1  # pixels by which an edge may be elsewhere: other ways to compute it round differently
 FINE = 2  # chosen: levels by which it may where another way to the picture is not to be refused
+NEAR = 1e-4  # chosen: by which numbers may be off that were computed twice
 FEWEST = 20  # chosen: pixels of a region that may differ, however small it is
 MOST = 0.0015  # chosen: the fraction of the pixels that may differ by more
 
@@ -305,6 +306,25 @@ def equal_pictures(work: Evidence, solution: Evidence) -> bool:
     return all(
         differing(work.frame(number), wanted, FINE).mean() <= MOST
         for number, wanted in solution.frames.items()
+    )
+
+
+def same_drawing(work: Frame, again: Frame) -> bool:
+    """Return whether a frame is the one that its calls give: its picture, and what is drawn."""
+    if float(differing(work, again, FINE).mean()) > MOST or len(work.draws) != len(again.draws):
+        return False
+    return all(map(_same_draw, work.draws, again.draws))
+
+
+def _same_draw(work: Draw, again: Draw) -> bool:
+    return work.mode == again.mode and all(
+        mine.shape == theirs.shape and np.allclose(mine, theirs, atol=NEAR, equal_nan=True)
+        for mine, theirs in (
+            (work.vertices, again.vertices),
+            (work.colors, again.colors),
+            (work.modelview, again.modelview),
+            (work.projection, again.projection),
+        )
     )
 
 

@@ -1,17 +1,21 @@
-"""A solution as the calls that it makes, where its program is not installed.
+"""A program as the calls that it makes: a solution that is not installed, or what is drawn again.
 
 The file beside an exercise, compressed, is in the form of stream.py, with
 
 - "source": a checksum of the program and of what was drawn;
 - "calls": each call once, as [function, argument, ...]; an argument is a number, null, a list of
-  arguments, {"bytes": blob} or {"array": blob, "type", "shape"};
+  arguments, {"bytes": blob}, {"array": blob, "type", "shape"} or {"offset": number} in a buffer;
 - "takes": what was drawn: {"size": of the window at first, "frames": those that are looked at,
   "events", "presses": those of a trial (trial.py), "made": for each frame a blob of 32-bit indices
   of the calls that it makes}. The first take is that of the exercise's own frames.
 
 A frame that nobody looks at lacks what draws and does nothing else.
+
+The process of a program that is checked sends the same of its frames, with all that they draw, so
+that the grader can see whether its calls give the picture that it sends.
 """
 
+import ctypes
 import lzma
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,15 +26,19 @@ import numpy as np
 
 from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
+from framelens.gl.client import READS_ARRAYS, buffer_offset, concerns_arrays
 from framelens.spec import spec
 from landscape.course.grader import stream
 from landscape.course.grader.trial import Trial
 
 FILE = "solution.calls"
 PLAYER = Path(__file__).resolve().parent / "player.py"
-MOST_FILE = 4 << 20  # bytes, chosen: the largest of ours has a few tenths of a million
-MOST_BYTES = 64 << 20  # chosen: without compression
+COMPRESSED = b"\xfd7zXZ"  # how a compressed file begins
+MOST_BYTES = 64 << 20  # chosen: of a file, and of what was compressed
+MOST_CALLS = 300_000  # chosen: different ones
+OFFSETS = 1 << 22  # chosen: bytes of a buffer; no address of memory is so low
 MOST_SIDE = 4096  # pixels, chosen: of a window
+KINDS = "biuf"  # of numbers in an array, as numpy names them
 
 Call = tuple[str, tuple[Any, ...]]
 
@@ -55,43 +63,95 @@ class Recorded:
     takes: Sequence[Take]
 
 
-def packed(recorded: Recorded) -> bytes:
-    """Return the bytes of the file."""
-    blobs = stream.Blobs()
-    numbers: dict[str, int] = {}
-    calls: list[Any] = []
-    takes = []
-    for take in recorded.takes:
-        made = []
-        for frame in take.frames:
-            indices = []
-            for name, args in frame:
-                call = [name, *(_plain(each, blobs) for each in args)]
-                key = repr(call)
-                if key not in numbers:
-                    numbers[key] = len(calls)
-                    calls.append(call)
-                indices.append(numbers[key])
-            made.append(blobs.add(np.array(indices, np.int32).tobytes()))
-        takes.append(
-            {
-                "size": list(take.size),
-                "frames": list(take.trial.frames),
-                "events": list(take.trial.events),
-                "presses": take.trial.presses,
-                "made": made,
-            }
-        )
+class Unrecorded(ValueError):
+    """A call that cannot be made again from its name and arguments alone."""
 
-    answer = {"source": recorded.source, "calls": calls, "takes": takes}
-    return lzma.compress(b"".join(stream.parts(answer, blobs.all)))
+
+class Writer:
+    """Collects calls, each once, and which of them each frame makes."""
+
+    def __init__(self) -> None:
+        self.blobs = stream.Blobs()
+        self.calls: list[Any] = []
+        self._numbers: dict[Any, int] = {}
+        self._pointing: list[int] = []  # the calls that say where client arrays lie, if known
+
+    def frame(self, calls: Iterable[Call | Sequence[Call]]) -> int:
+        """Return the number of the blob that says which calls a frame makes.
+
+        Calls that belong together say where client arrays lie; they are left out where the last
+        ones said the same.
+        """
+        indices: list[int] = []
+        for each in calls:
+            if isinstance(each, tuple):
+                indices.append(self._number(*each))
+                if concerns_arrays(each[0]) and each[0] not in READS_ARRAYS:
+                    self._pointing = []
+                continue
+            pointing = [self._number(*call) for call in each]
+            if pointing != self._pointing:
+                indices += pointing
+                self._pointing = pointing
+        return self.blobs.add(np.array(indices, np.int32).tobytes())
+
+    def _number(self, name: str, args: tuple[Any, ...]) -> int:
+        """Return the index of a call; Unrecorded if it cannot be made again."""
+        if all(type(each) in (int, float) for each in args):
+            key: Any = name, args, *map(type, args)
+        else:
+            key = repr((name, [_plain(each, self.blobs) for each in args]))
+        number = self._numbers.get(key)
+        if number is None:
+            if not _can_be_made(name) or len(self.calls) >= MOST_CALLS:
+                raise Unrecorded(name)
+            number = self._numbers[key] = len(self.calls)
+            self.calls.append([name, *(_plain(each, self.blobs) for each in args)])
+        return number
+
+    def written(self, source: str, takes: Sequence[Mapping[str, Any]]) -> bytes:
+        """Return the bytes of a file, without compression."""
+        answer = {"source": source, "calls": self.calls, "takes": takes}
+        return b"".join(stream.parts(answer, self.blobs.all))
+
+
+def _can_be_made(name: str) -> bool:
+    """Return whether a function of OpenGL may be called again; one that opens memory may not."""
+    return spec.function(name) is not None and not name.startswith("glMapBuffer")
+
+
+def said(size: Sequence[int], trial: Trial, made: Sequence[int]) -> dict[str, Any]:
+    """Return a take as it is written; ``made`` are the blobs of its frames."""
+    return {
+        "size": list(size),
+        "frames": list(trial.frames),
+        "events": list(trial.events),
+        "presses": trial.presses,
+        "made": list(made),
+    }
+
+
+def packed(recorded: Recorded) -> bytes:
+    """Return the bytes of a file, compressed."""
+    writer = Writer()
+    takes = [
+        said(take.size, take.trial, [writer.frame(each) for each in take.frames])
+        for take in recorded.takes
+    ]
+    return lzma.compress(writer.written(recorded.source, takes))
 
 
 def _plain(value: Any, blobs: stream.Blobs) -> Any:
-    """Return an argument as JSON."""
+    """Return an argument as JSON; Unrecorded for an address, or what is unknown."""
+    if (offset := buffer_offset(value)) is not None:
+        if not 0 <= offset < OFFSETS:
+            raise Unrecorded("an address")
+        return {"offset": offset}
     if hasattr(value, "_length_"):
         value = np.ctypeslib.as_array(value)
     if isinstance(value, np.ndarray):
+        if value.dtype.kind not in KINDS:
+            raise Unrecorded(value.dtype.str)
         data = np.ascontiguousarray(value)
         shape = list(value.shape)
         return {"array": blobs.add(data.tobytes()), "type": value.dtype.str, "shape": shape}
@@ -102,20 +162,30 @@ def _plain(value: Any, blobs: stream.Blobs) -> Any:
     if value is None or isinstance(value, bool):
         return value
     if isinstance(value, int | np.integer):
+        if not -(1 << 31) <= value < 1 << 32:
+            raise Unrecorded("an address")
         return int(value)
-    return float(value)
+    if isinstance(value, float | np.floating):
+        return float(value)
+    raise Unrecorded(type(value).__name__)
 
 
 def read(path: Path) -> Recorded:
     """Read a file; InputError if it cannot be read, or is not in this form."""
-    data = read_bounded(path, MOST_FILE)
+    found = parsed(read_bounded(path, MOST_BYTES))
+    if found is None:
+        raise InputError("{path}: expected the calls of a solution", path=path)
+    return found
+
+
+def parsed(data: bytes) -> Recorded | None:
+    """Return what the bytes of a file say; None if they are not in this form."""
     try:
-        answer = stream.received(_unpacked(data))
-        if answer is not None:
-            return _recorded(*answer)
+        whole = _unpacked(data) if data.startswith(COMPRESSED) else data
+        answer = stream.received(whole)
+        return _recorded(*answer) if answer is not None else None
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, lzma.LZMAError):
-        pass
-    raise InputError("{path}: expected the calls of a solution", path=path)
+        return None
 
 
 def _unpacked(data: bytes) -> bytes:
@@ -151,7 +221,7 @@ def _made(indices: Iterable[int], calls: Sequence[Call]) -> list[Call]:
 
 def _call(said: Sequence[Any], blobs: Sequence[memoryview]) -> Call:
     name, *args = said
-    if spec.function(name) is None:
+    if not _can_be_made(name):
         raise ValueError(f"no function of OpenGL: {name}")
     return name, tuple(_value(each, blobs) for each in args)
 
@@ -164,6 +234,12 @@ def _value(said: Any, blobs: Sequence[memoryview]) -> Any:
         return said
     if "bytes" in said:
         return bytes(blobs[said["bytes"]])
+    if "offset" in said:
+        if not 0 <= said["offset"] < OFFSETS:
+            raise ValueError("no offset in a buffer")
+        return ctypes.c_void_p(said["offset"])
+    if np.dtype(said["type"]).kind not in KINDS:
+        raise ValueError("no array of numbers")
     return np.frombuffer(blobs[said["array"]], said["type"]).reshape(said["shape"])
 
 

@@ -29,7 +29,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import IO, Any
@@ -66,7 +66,8 @@ class Job:
     Without ``calls`` only the pictures of the frames are taken. One that is ``trusted`` is the
     course's own. With a language, the cause is asked for why its last frame looks as it does
     (framelens/why), instead of evidence. ``private`` are folders in which it must read nothing but
-    itself. With ``recorded``, a file, the program plays one of its takes (recorded.py).
+    itself. With ``again`` what is needed to draw the frames again is sent, too. With ``recorded``,
+    a file, the program plays one of its takes (recorded.py).
     """
 
     path: str
@@ -78,6 +79,7 @@ class Job:
     trusted: bool = False
     why: str = ""
     private: Sequence[str] = ()
+    again: bool = False
     recorded: str = ""
     take: int = 0
 
@@ -162,6 +164,17 @@ class Sandbox:
 
         self.contained = ends[0].contained
         return outcomes
+
+    @contextlib.contextmanager
+    def file(self, data: bytes) -> Iterator[Path]:
+        """Have a file with some bytes for the block, where programs cannot write."""
+        assert self._place is not None, "no program has run"
+        path = self._place.folder / "file"
+        try:
+            path.write_bytes(data)
+            yield path
+        finally:
+            path.unlink(missing_ok=True)
 
     def _forked(self, asked: list[dict[str, Any]]) -> list["End"]:
         """Let the waiting process run jobs; return how each ended."""

@@ -41,6 +41,8 @@ SENTENCES: Texts = {
     "crashed": "the program crashed ({signal})",
     "crashed_at": "line {line}: the program crashed ({signal}): OpenGL reads arrays as far as it "
     "is told, even beyond their end",
+    "forged": "what it shows in frame {frame} is not what the program drew: its calls of OpenGL "
+    "give another picture",
     "died": "ended the Python process by itself ({signal})",
     "two_windows": "opens two windows; an exercise needs only one",
     "no_toolkit": "does not import glfw, so it opens no window",

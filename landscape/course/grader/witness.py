@@ -7,7 +7,7 @@ the program and other values for its message.
 
 import sys
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from functools import cache
 from pathlib import Path
@@ -24,9 +24,11 @@ from framelens.program.program_run import Window
 from framelens.program.program_source import ProgramError
 from framelens.spec import spec
 from framelens.state import state
+from landscape.course.grader import recorded
 from landscape.course.grader.evidence_file import Writer, only_gives_numbers
 from landscape.course.grader.refusals import Refusals
 from landscape.course.grader.stream import send
+from landscape.course.grader.trial import Trial
 from landscape.course.grader.troubles import SENTENCES
 
 MOST_CALLS = 200_000  # chosen: of one frame; a lesson's has a few thousand
@@ -46,7 +48,7 @@ def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
     """Run a program and send the evidence into a pipe; ``leave`` ends the process."""
     refusals = Refusals(job["path"], tempfile.gettempdir(), job["private"])
     sys.addaudithook(refusals)
-    witness = Witness(job["path"], job["frames"], job["calls"])
+    witness = Witness(job["path"], job["frames"], job["calls"], job["again"])
 
     def end(found: dict[str, Any]) -> None:
         try:
@@ -55,7 +57,14 @@ def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
             send(answers, {"error": {"word": "calls"}})
         leave(0)
 
-    witness.finished = lambda: end(witness.evidence())
+    def finish() -> None:
+        try:
+            found = witness.evidence()
+        except MemoryError:
+            found = {"error": {"word": "calls"}}
+        end(found)
+
+    witness.finished = finish
     try:
         with witness:
             program.run(
@@ -149,10 +158,13 @@ def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
 class Witness(ExitStack):
     """Observes a program (see framelens/program/program_run.py) up to the last of some frames.
 
-    Without ``calls`` it takes only their pictures.
+    Without ``calls`` it takes only their pictures. With ``again`` it keeps what is needed to draw
+    all frames again (recorded.py), as far as that is possible.
     """
 
-    def __init__(self, program: str, frames: Sequence[int], calls: bool = True) -> None:
+    def __init__(
+        self, program: str, frames: Sequence[int], calls: bool = True, again: bool = False
+    ) -> None:
         super().__init__()
         self._program, self._writer = program, Writer(program)
         self._wanted = set(frames)
@@ -165,6 +177,10 @@ class Witness(ExitStack):
         self._changed = True  # whether the state must be read again, and its matrices
         self._moved = True
         self._begin = 0
+        self._looking = True
+        self._size = 0, 0
+        self._again = recorded.Writer() if again and calls else None
+        self._made: list[int] = []  # the blobs of all frames, to draw them again
         self.window: Window | None = None
         self.ended = 0  # frames that are complete
         self.unclosed: dict[str, Any] = {}  # a call that draws between glBegin and glEnd
@@ -174,7 +190,7 @@ class Witness(ExitStack):
 
     def opened(self, window: Window) -> None:
         """Begin to record."""
-        self.window = window
+        self.window, self._size = window, window.size()
         if not self._records:
             return
         self._recorder = self.enter_context(recording(complete=True))
@@ -197,13 +213,14 @@ class Witness(ExitStack):
         self._begin = len(self._recorder.calls)
         self._changed = True
         # Frames between those that are looked at are not recorded: they only take their time.
-        if number and not self._looking:
+        if number and not self._looking and self._again is None:
             self._unnoted.enter_context(unnoted())
 
     def frame_ended(self, number: int) -> None:
         """Keep the picture and the calls of a frame that is to be looked at."""
         self._unnoted.close()
         self.ended = number + 1
+        self._keep()
         if number in self._wanted and self.window is not None:
             size = self.window.size()
             with unnoted():
@@ -217,6 +234,18 @@ class Witness(ExitStack):
         if number == max(self._wanted):
             self.finished()
 
+    def _keep(self) -> None:
+        """Keep the frame's calls, to draw them again; or give up, if they cannot be."""
+        if self._again is None:
+            return
+        noted = self._recorder.calls[self._begin :]
+        try:
+            self._made.append(
+                self._again.frame(in_order(noted, self._recorder.brief or (), self._begin))
+            )
+        except recorded.Unrecorded:
+            self._again = None
+
     def notice(self, text: str) -> None:
         """Take a sentence for the user, of which a grader has no need."""
 
@@ -228,6 +257,10 @@ class Witness(ExitStack):
     def evidence(self) -> dict[str, Any]:
         """Return all that was noted."""
         first = self._states[0] if self._states else {}
+        made = None
+        if self._again is not None and self.window is not None:
+            take = recorded.said(self._size, Trial(sorted(self._wanted), [], {}), self._made)
+            made = self._writer.blobs.add(self._again.written("", [take]))
         others = [
             {name: value for name, value in each.items() if value != first[name]}
             for each in self._states[1:]
@@ -237,6 +270,7 @@ class Witness(ExitStack):
             "setup": self._calls_of_setup(),
             "states": [first, *others],
             "early": self.window.early if self.window is not None else None,
+            "made": made,
             **self._writer.written(),
         }
 
@@ -268,6 +302,8 @@ class Witness(ExitStack):
         """Read the state before a call that draws."""
         if len(self._recorder.calls) + len(self._recorder.brief or ()) - self._begin > MOST_CALLS:
             raise MemoryError(MANY_CALLS)
+        if not self._looking:
+            return
         group, draws = _kind(call.name)
         if group == "vertex":
             return
@@ -300,6 +336,30 @@ class Witness(ExitStack):
             self._states.append({**self._states[-1], **now})
         self._changed = self._moved = False
         return len(self._states) - 1
+
+
+def in_order(
+    calls: Sequence[Call], brief: Sequence[Brief] = (), before: int = 0
+) -> Iterator[recorded.Call | Sequence[recorded.Call]]:
+    """Yield calls and those of which there is a short note, as they are made again.
+
+    Those that only return something are left out; those that point to arrays come together.
+    ``before``: how many calls the recorder had when the first of ``calls`` was made.
+    """
+    waiting = 0
+    for place, call in enumerate(calls, before):
+        while waiting < len(brief) and brief[waiting][0] <= place:
+            yield brief[waiting][1], brief[waiting][-1]
+            waiting += 1
+        if spec.is_query(call.name):
+            continue
+        if call.arrays:
+            yield list(call.arrays)
+        yield call.name, call.args
+        if call.compiled is not None:
+            yield from in_order(call.compiled.calls())
+    for note in brief[waiting:]:
+        yield note[1], note[-1]
 
 
 @cache
