@@ -245,14 +245,21 @@ TICKS = (frames(14, forward=1) + frames(6, "a note", {"mirror.fresnel": False}, 
 
 class Watched(Walk):
     def __init__(self, *arguments, **more):
-        self.seen, self.said, self.waits = [], [], []
+        self.seen, self.said, self.waits, self.together = [], [], [], []
         super().__init__(*arguments, **more)
     def _say(self, message):
         self.said.append(message)
         super()._say(message)
     def _wait(self, text, **more):
         self.waits.append([text, *more.values()])
+        draw, shown = self._panel.draw, []
+        def noted(size, keys=False, message="", *rest, **more):
+            shown.append(message)
+            draw(size, keys, message, *rest, **more)
+        self._panel.draw = noted
         super()._wait(text, **more)
+        self._panel.draw = draw
+        self.together.append(sum(map(bool, shown)))
     def present(self):
         place, walker = self.place, self.walker
         self.seen.append([hashlib.sha256(self.pixels()).hexdigest(), place.kind.name, walker.x,
@@ -271,7 +278,8 @@ again_plan, ticks = read(path)
 with Watched(again_plan, Assets(), "osmesa") as again:
     run(again, iter(ticks))
 print(json.dumps({"seen": walk.seen, "again": again.seen, "said": walk.said, "waits": walk.waits,
-                  "back": back, "same": [again_plan == plan, ticks == TICKS]}))
+                  "together": walk.together, "back": back,
+                  "same": [again_plan == plan, ticks == TICKS]}))
 """
 
 
@@ -301,6 +309,7 @@ def test_one_walks_through_the_door_into_the_hall_and_back(through) -> None:
         ["opening", "the great hall"],
         ["opening", "the island"],
     ]
+    assert through["together"] == [1, 1, 1], "messages over each other"
     for text in (
         "the door leads into the great hall",
         "the great hall",

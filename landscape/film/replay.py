@@ -23,7 +23,7 @@ from landscape.walk.builder import SWITCHES, Builder
 from landscape.walk.keys import SETTINGS
 from landscape.walk.place import Place, Places, at_doors
 from landscape.walk.recording import Plan, Tick
-from landscape.walk.walker import Walker, advance, start
+from landscape.walk.walker import Intent, Walker, start
 
 JUMP = 0.5  # chosen: units between two frames of a recording, more than any step: not interpolated
 
@@ -127,14 +127,11 @@ class Replay:
             state = self._switched(state, name)
         if tick.changes:
             self._change(place, tick.changes)
-        opened, settings = place.scene, place.settings
-        walker = advance(
-            state.walker, tick.intent, tick.seconds, opened, opened.obstacles, settings
-        )
-        self._builder.advance(opened, walker, tick)
+        walker = place.moved(state.walker, tick.intent, tick.seconds)
+        self._builder.advance(place.scene, walker, tick)
         entered, _ = at_doors(place.doors, walker, tick.intent)
         state = replace(state, walker=walker)
-        self.state = state if entered is None else self._passed(state, entered)
+        self.state = state if entered is None else self._passed(state, entered, tick.intent)
 
     def _switched(self, state: State, name: str) -> State:
         """Return the state after a switch."""
@@ -174,7 +171,7 @@ class Replay:
     def _apply(self, place: Place, changes: Mapping[str, Any]) -> None:
         place.apply(changes, lambda: place.open(self._stage.assets, self._plan.seed))
 
-    def _passed(self, state: State, door: Any) -> State:
+    def _passed(self, state: State, door: Any, intent: Intent) -> State:
         """Return the state behind a door."""
         assert self._places is not None
         left, place = state.place, self._places.behind(door)
@@ -185,7 +182,7 @@ class Replay:
             return replace(state, walker=walker)
         self._places.leave(left)
         self._changes = 0
-        walker = start(place.way_in(door), place.scene, place.settings)
+        walker = start(place.way_in(door, intent), place.scene, place.settings)
         return replace(state, walker=walker, place=place)
 
     def release(self) -> None:

@@ -12,6 +12,7 @@ REACH = RADIUS + 0.02  # chosen: units, depth of the strip; whatever fills the d
 STEEP = 0.5  # chosen: least cosine between the walker's way and the door's
 BEFORE = 0.16  # chosen: units from the door at which one comes out of it
 SEEN_FROM = 0.55  # chosen: units within which one stands before a door
+LED_FROM = 0.36  # chosen: units beside its middle from which one who walks at the wall is led to it
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,16 @@ class Door:
         inside = abs(right) < self.half and 0 <= front < REACH and self.bottom < at[1] < self.top
         return self.open and inside and math.cos(math.radians(way - self.yaw)) > STEEP
 
+    def aside(self, at: tuple[float, float, float], way: float) -> float:
+        """Return how far to the left of one who walks at the wall beside the door its middle is.
+
+        In units; 0 where he does not walk at that wall, or the door is not open.
+        """
+        right, front = self.local(at[0], at[2])
+        near = 0 <= front < REACH and abs(right) < LED_FROM and self.bottom < at[1] < self.top
+        led = self.open and near and math.cos(math.radians(way - self.yaw)) > STEEP
+        return right if led else 0.0
+
     def faced(self, pose: Pose) -> bool:
         """Return whether one stands before the door and looks at it."""
         assert pose.y is not None
@@ -59,9 +70,16 @@ class Door:
     @property
     def way_out(self) -> Pose:
         """Where one stands who has come out of the door, with his back to it."""
+        return self.left_by(0.0)
+
+    def left_by(self, way: float) -> Pose:
+        """Where one stands who has come out of the door, and goes on ``way`` degrees to his right.
+
+        Whoever goes in backwards (180) comes out backwards, too, and not in again.
+        """
         s, c = math.sin(math.radians(self.yaw)), math.cos(math.radians(self.yaw))
         x, z = self.x - BEFORE * s, self.z + BEFORE * c
-        return Pose(x, None, z, (self.yaw + 180.0) % 360.0, 0.0)
+        return Pose(x, None, z, (self.yaw + 180.0 - way) % 360.0, 0.0)
 
 
 @runtime_checkable

@@ -41,7 +41,7 @@ from landscape.walk.recording import MAX_SECONDS, Plan, Tick
 from landscape.walk.screen import FrameRate, FullScreen, hide_cursor, save_screenshot
 from landscape.walk.sizes import Resizer, check_viewport
 from landscape.walk.steady import Steady
-from landscape.walk.walker import Intent, advance, aimed, start
+from landscape.walk.walker import Intent, aimed, start
 
 SHOWN = 2.0  # seconds for which a message is shown
 FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
@@ -143,6 +143,7 @@ class Walk:
             gl.glClearColor(*EMPTY, 1.0)
             gl.glClear(gl.GL_COLOR_BUFFER_BIT)
         elif size == self._size:
+            self._until = 0.0  # an earlier message would show under this one
             self.draw()
         self._panel.draw(size, message=self._word(text, **values))
         self._context.show()
@@ -341,8 +342,7 @@ class Walk:
         if tick.note:
             self._say(tick.note)
         before = self.walker
-        scene, settings = self.place.scene, self.place.settings
-        self.walker = advance(before, tick.intent, tick.seconds, scene, scene.obstacles, settings)
+        self.walker = self.place.moved(before, tick.intent, tick.seconds)
         if said := self._builder.advance(self.place.scene, self.walker, tick):
             self._say(said)
         if self.walker.flying != before.flying:
@@ -352,6 +352,8 @@ class Walk:
 
         if self.walker.at_edge and not before.at_edge:
             self._say(self._word("edge"))
+        if self.walker.escapes > before.escapes:
+            self._say(self._word("let_out"))
         self._size = tick.size
         self._try_doors(tick.intent)
 
@@ -359,13 +361,13 @@ class Walk:
         """Say where a door leads that the walker has come up to, or go through it."""
         entered, faced = at_doors(self.place.doors, self.walker, intent)
         if entered is not None:
-            self._pass(entered)
+            self._pass(entered, intent)
         elif (faced.name if faced else "") != self._door:
             self._door = faced.name if faced else ""
             if faced is not None:
                 self._say(self._named(faced.says) if faced.open else self._word("shut"))
 
-    def _pass(self, door: Door) -> None:
+    def _pass(self, door: Door, intent: Intent) -> None:
         """Go through a door. The scene that is left stays open, to come back to at once."""
         left, place = self.place, self._places.behind(door)
         self._wait("opening", place=self._named(place.kind.title))
@@ -378,7 +380,7 @@ class Walk:
             return
         self._places.leave(left)
         self.place, self._door = place, door.to
-        self.walker = start(place.way_in(door), place.scene, place.settings)
+        self.walker = start(place.way_in(door, intent), place.scene, place.settings)
         self._rate = FrameRate(self._named(place.kind.title))
         self._say(self._named(place.kind.title))
         self.draw()  # the first frame takes longest: it is drawn once more to be shown

@@ -5,6 +5,7 @@ A scene that is left stays open, so that coming back takes no time; the price is
 
 import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from landscape.geometry.flown import Flown
 from landscape.scene.scene import Fix, Moment, OpenScene, Scene, SceneSettings, scene
 from landscape.settings import declare
 from landscape.settings.declare import Value
+from landscape.walk.collisions import Surroundings, reachable, solid
+from landscape.walk.escape import moved
 from landscape.walk.list_image import list_image
 from landscape.walk.recording import Plan
 from landscape.walk.settings_list import Chooser, page
@@ -102,10 +105,21 @@ class Place:
         """The scene's doors, none if it has none."""
         return self.scene.doors if isinstance(self.scene, Doored) else ()
 
-    def way_in(self, door: Door) -> Pose:
-        """Return where one stands who has come here through a door of another scene."""
-        pose = next((each.way_out for each in self.doors if each.name == door.to), None)
-        return pose or self.kind.views[self.kind.start].pose
+    def way_in(self, door: Door, intent: Intent) -> Pose:
+        """Return where one stands who has come here, by ``intent``, through a door elsewhere."""
+        own = next((each for each in self.doors if each.name == door.to), None)
+        return own.left_by(intent.way) if own else self.kind.views[self.kind.start].pose
+
+    def moved(self, walker: Walker, intent: Intent, seconds: float) -> Walker:
+        """Return the walker ``seconds`` later: let out if he is stuck, led to a door beside him."""
+        opened, settings = self.scene, self.settings
+        after = moved(walker, intent, seconds, opened, opened.obstacles, settings)
+        if after.flying or after.body is not None or not intent.walks or not self.doors:
+            return after
+        reach = settings.walk.speed * seconds / 2
+        if math.dist((walker.x, walker.z), (after.x, after.z)) > reach:
+            return after
+        return _led(self.doors, after, intent, reach, opened)
 
     def release(self) -> None:
         """Release the scene; may be called twice."""
@@ -160,11 +174,26 @@ def at_doors(
 ) -> tuple[Door | None, Door | None]:
     """Return the door that a walker goes through, and the one that he stands before, if any."""
     pose = walker.pose
-    way = pose.yaw + math.degrees(math.atan2(intent.right, intent.forward))
-    walks = bool(intent.forward or intent.right)
+    way = pose.yaw + intent.way
     place = walker.x, walker.y, walker.z
-    entered = (door for door in doors if walks and door.entered(place, way))
+    entered = (door for door in doors if intent.walks and door.entered(place, way))
     return next(entered, None), next((door for door in doors if door.faced(pose)), None)
+
+
+def _led(
+    doors: Sequence[Door], walker: Walker, intent: Intent, reach: float, opened: OpenScene
+) -> Walker:
+    """Return the walker up to ``reach`` units nearer to the door whose wall he walks at, if any."""
+    at = walker.x, walker.y, walker.z
+    for door in doors:
+        if aside := door.aside(at, walker.yaw + intent.way):
+            yaw = math.radians(door.yaw)
+            step = max(-reach, min(-aside, reach))
+            to = walker.x + step * math.cos(yaw), walker.z + step * math.sin(yaw)
+            near = solid(Surroundings(opened.obstacles).at(walker.x, walker.z), walker.y)
+            x, z = reachable((walker.x, walker.z), to, opened, near)
+            return replace(walker, x=x, z=z)
+    return walker
 
 
 def list_picture(

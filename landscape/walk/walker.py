@@ -60,6 +60,16 @@ class Intent:
     digging: bool = False
     placing: bool = False
 
+    @property
+    def walks(self) -> bool:
+        """Whether a step is asked for."""
+        return bool(self.forward or self.right)
+
+    @property
+    def way(self) -> float:
+        """The way that is asked for, in degrees to the right of where he looks."""
+        return math.degrees(math.atan2(self.right, self.forward))
+
 
 @dataclass(frozen=True)
 class Walker:
@@ -70,7 +80,8 @@ class Walker:
     ``stroke`` is 0 at rest and 1 to 4 during a stroke of the sword, which began ``struck`` kt ago.
     ``afloat`` are the seconds spent in the water, which move the eye up and down; ``swimming`` says
     that the water is deep, ``at_edge`` that the map ends here. ``body`` is his body, None where he
-    has none, or has not moved yet.
+    has none, or has not moved yet. ``spot`` is x, z in units of where he is held, if he is, for
+    ``held`` seconds; ``escapes`` counts how often he was let out (escape.py).
     """
 
     x: float
@@ -88,6 +99,9 @@ class Walker:
     swimming: bool = False
     at_edge: bool = False
     body: Body | None = None
+    spot: tuple[float, float] | None = None
+    held: float = 0.0
+    escapes: int = 0
 
     @property
     def pose(self) -> Pose:

@@ -125,6 +125,7 @@ TEXTS: Texts = {
     "path": "flying along the path; a step of your own ends it",
     "path.left": "the path is left: flying",
     "edge": "the edge of the map",
+    "let_out": "stuck: you are let out",
     "map.on": "map on",
     "map.off": "map off",
     "time.noon": "noon",
