@@ -12,7 +12,9 @@ from landscape.course.lecture import texts
 from landscape.course.lecture.image import caption_image, code_image, steps_image
 from landscape.course.lecture.layout import BANDS, arranged, layout
 from landscape.course.lecture.list import StepList
-from landscape.course.lecture.plan import Step, course, new_lines, read
+from landscape.course.lecture.plan import COURSE, Step, course, new_lines, read
+from landscape.studio.lessons.fresnel import fresnel, picture, schlick
+from landscape.studio.lessons.lesson_data import png
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "lecture.md"
 
@@ -29,7 +31,7 @@ from landscape.course.lecture.view import LectureWalk, planned
 from framelens.inspector.inspector_page import foot
 stage = Stage(read(Path(sys.argv[1])), 0, (400, 250), 1)
 stage.begin(0)
-with LectureWalk(stage, planned(stage, "fig5a", "en")) as walk:
+with LectureWalk(stage, planned("fig5a", stage.pixels(), "en")) as walk:
     walk.button(stage.glfw.MOUSE_BUTTON_LEFT, stage.glfw.PRESS, 0)
     walk.listen()
     across, down = stage.area()
@@ -50,9 +52,12 @@ def _written(tmp_path: Path, text: str) -> Path:
 def test_the_lecture_in_the_documentation_is_read_as_it_says(tmp_path: Path) -> None:
     found = re.search(r"```text\n(title: .*?)```", DOCS.read_text(encoding="utf-8"), re.DOTALL)
     assert found
+    (tmp_path / "fresnel.png").touch()
     lecture = read(_written(tmp_path, found[1]))
     assert lecture.title == "Mirrors in OpenGL 1.x"
-    assert [step.name for step in lecture.steps] == ["scale", "matrix_stack", "fig6a", "R16"]
+    live = [step.name for step in lecture.steps if step.kind not in ("picture", "slide")]
+    assert live == ["scale", "matrix_stack", "fig6a", "R16"]
+    assert [step.kind for step in lecture.steps[3:5]] == ["picture", "slide"]
     stack = lecture.steps[1]
     source = lesson("matrix_stack").file.read_text(encoding="utf-8").splitlines()
     assert stack.code is not None
@@ -73,14 +78,17 @@ def test_an_indented_line_continues_a_line_and_a_byte_order_mark_is_no_text(tmp_
 @pytest.mark.parametrize(
     "text, said",
     [
-        ("mirorr\n", ", line 1: 'mirorr': expected a lesson, a view, a fix, or the path"),
+        ("mirorr\n", ", line 1: 'mirorr': expected a lesson, a view, a fix, the path"),
         ("\n\nscale\nnota: x\n", ", line 4: 'nota': expected one of title, code, note, keys"),
         ("scale\nnote:\n", ", line 2: note: expected something after the colon"),
         ("scale\ncode: 90-400\n", ", line 2: code: 90-400: expected lines from 1 to "),
         ("scale\ncode: 9-3\n", ", line 2: code: 9-3: expected lines from 1 to "),
         ("scale\ncode: glFoo\n", ", line 2: code: 'glFoo': is not in scale.py"),
         ('scale\ncode: ""\n', ", line 2: code: "),
-        ("fig6a\ncode: glFogf\n", ", line 2: code: fig6a is a view"),
+        ("fig6a\ncode: glFogf\n", ", line 2: code: expected it at a lesson or program; 'fig6a'"),
+        ("slide\nkeys: SPACE\n", ", line 2: keys: expected it at a lesson or program; 'slide'"),
+        ("scale\nframe: -1\n", ", line 2: frame: '-1': expected a whole number from 0"),
+        ("none.png\n", ", line 1: 'none.png': there is no such file"),
         ("scale\nkeys: SPACE SPACEBAR\n", ", line 2: keys: 'SPACEBAR': expected names such as"),
         ("none.py\n", ", line 1: 'none.py': there is no such file"),
         ("title: Nothing\n", ": has no steps"),
@@ -182,6 +190,25 @@ def test_the_lines_that_matter_are_those_with_names_no_lesson_had_before() -> No
     lines = {source[number - 1].strip() for number in new_lines("matrix_stack")}
     assert lines == {"glPushMatrix()", "glPopMatrix()"}
     assert any(new_lines(name) for name in NAMES[:5])
+
+
+def test_the_lecture_on_reflections_is_whole_in_french(shell: Shell) -> None:
+    english, french = (
+        shell("lecture", "reflections", "--list", "--lang", lang).out.splitlines()
+        for lang in ("en", "fr")
+    )
+    assert len(english) == len(french) == 17
+    assert [one for one, two in zip(english, french, strict=True) if one == two] == []
+
+
+def test_the_curve_of_the_lecture_on_reflections_is_what_the_studio_draws() -> None:
+    lecture = read(COURSE.parent / "reflections.txt")
+    (step,) = [step for step in lecture.steps if step.kind == "picture"]
+    assert step.file is not None and step.file.read_bytes() == png(picture())
+    angles = np.radians(np.linspace(0, 90, 91))
+    difference = np.abs(fresnel(angles) - schlick(angles))
+    assert difference.max() < 0.06 and fresnel(angles)[-1] == pytest.approx(1)
+    assert schlick(np.arccos(0.5)) == pytest.approx(0.05, abs=0.002)
 
 
 @pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (1024, 768)])

@@ -133,7 +133,7 @@ def look(
     pressed = presses(keys.split())
     coming = [*pressed, *events]
     read_events(coming)  # what is wrong with them is said before anything is run
-    return Look(ProgramFrame(path, backend, frame=max(frame, bool(pressed)), events=coming))
+    return Look(ProgramFrame(path, backend, frame=max(frame, int(bool(pressed))), events=coming))
 
 
 def answered(name: str, work: Callable[..., T], *values: object) -> T:

@@ -1,19 +1,23 @@
-"""`landscape lecture`: shows the steps of a lecture, one after another, in one window."""
+"""`landscape lecture`: shows the steps of a lecture in one window, or writes them to a file."""
 
 import argparse
 import os
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError, NoOpenGLError, short
+from framelens.base.output import check_writable, write_whole
 from framelens.base.texts import choose
 from framelens.base.texts import marked as _
 from framelens.commands import option_values
 from framelens.commands.parser import language_option
 from framelens.gl import display
+from framelens.system.processes import cores
+from landscape.course.language import translated
 from landscape.course.lecture import texts
-from landscape.course.lecture.plan import COURSE, VIEW, Lecture, course, read
+from landscape.course.lecture.plan import COURSE, PAPERS, PICTURE, TEXT, VIEW, Lecture, course, read
 
 if TYPE_CHECKING:
     from landscape.course.lecture.stage import Stage
@@ -21,9 +25,10 @@ if TYPE_CHECKING:
 
 EXAMPLE = "a.txt"
 LECTURE = _(
-    "a text file, see docs/lecture.md, or first_course, see docs/course.md; "
+    "a text file, see docs/lecture.md; first_course, see docs/course.md; or reflections; "
     "default: the whole course"
 )
+FORMATS = (".html", ".pdf")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -46,6 +51,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help=_("which screen, if there are several; default: 1, the primary one"),
     )
+    parser.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE.html|.pdf",
+        help=_("write the steps to one page of HTML, or to a PDF, instead of showing them"),
+    )
+    parser.add_argument(
+        "--paper",
+        choices=PAPERS,
+        help=_("of the PDF: slides, or a handout on A4 with the notes; default: 16:9"),
+    )
+    parser.add_argument(
+        "-q", "--quiet", action="store_true", help=_("print no progress while a file is written")
+    )
     language_option(parser, "language of the texts")
 
 
@@ -53,6 +72,12 @@ def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
     lecture = read(_file(options.file)) if options.file else course()
     begin = _begin(lecture, options.begin)
+    if options.out is not None:
+        write(lecture, options.out, options.paper, options.quiet)
+        print(options.out)
+        return 0
+    if options.paper is not None:
+        raise InputError("--paper: is for a PDF; expected --out FILE.pdf as well")
     if options.list:
         for number, title, name in texts.listed(lecture)[begin:]:
             print(f"{number}  {name:18} {title}")
@@ -91,6 +116,27 @@ def _begin(lecture: Lecture, asked: str) -> int:
     )
 
 
+def write(lecture: Lecture, out: Path, paper: str | None, quiet: bool) -> None:
+    """Write a lecture to a page of HTML or to a PDF; InputError where that cannot be done."""
+    from landscape.course.lecture import page, pdf
+    from landscape.course.lecture.slides import slides
+
+    kind = out.suffix.lower()
+    if kind not in FORMATS:
+        raise InputError("--out {out}: expected a name that ends in .html or .pdf", out=out)
+    if kind != ".pdf" and paper is not None:
+        raise InputError("--paper: is for a PDF; expected --out FILE.pdf as well")
+    check_writable(out, "--out ")
+    if kind == ".pdf":
+        pdf.check_typst()
+    language, title = choose(os.environ), translated(lecture.title)
+    made = slides(lecture, language, cores(), quiet)
+    if kind == ".pdf":
+        write_whole(out, pdf.as_pdf(title, made, language, paper or PAPERS[0]))
+    else:
+        write_whole(out, page.as_html(title, made, language))
+
+
 def show(
     lecture: Lecture, index: int, size: tuple[int, int] | None = None, screen: int = 1
 ) -> None:
@@ -112,11 +158,14 @@ def show(
 def _play(stage: "Stage") -> None:
     """Play a step until the user leaves it; what ends it before is shown in its place."""
     from landscape.course.lecture import program, view
+    from landscape.course.lecture.still import still
 
     step, language = stage.step, choose(os.environ)
     try:
         if step.kind == VIEW:
             view.play(stage, step.name, step.keys, language)
+        elif step.kind in (PICTURE, TEXT):
+            view.stand(stage, partial(still, step))
         elif step.file is not None:
             for line in program.play(stage, step.file, step.keys, language):
                 print(f"landscape: {line}", file=sys.stderr)

@@ -22,6 +22,8 @@ SPACING = 1.3  # chosen: line height, in font sizes
 TITLE_PARTS = 0.27, 0.36
 CODE_LETTERS = (44, 66)  # chosen: of the window's height, as above
 LIST_LETTERS = (32, 62)  # chosen: likewise
+TEXT_LETTERS = (20, 48)  # chosen: likewise
+ITEM = "- "
 TAB = 4  # columns
 
 # Chosen: RGB.
@@ -172,7 +174,7 @@ def code_image(
     columns = max(int((size[0] - left) / letter) - 1, 1)
     pen.text((letter, pixels / 2), writable(name, font(pixels, True)), TITLE, font(pixels, True))
     y = pixels // 2 + round(1.4 * step)
-    rows = _rows(len(source), marked, room, first)
+    rows = shown_rows(len(source), marked, room, first)
     quoted = in_texts(source)
     for number in rows:
         if not number:
@@ -194,7 +196,7 @@ def code_image(
     return np.asarray(image)
 
 
-def _rows(count: int, marked: Collection[int], room: int, first: int | None) -> list[int]:
+def shown_rows(count: int, marked: Collection[int], room: int, first: int | None) -> list[int]:
     """Return the numbers of the lines to show; 0 stands for those left out between two others."""
     if first is not None or not marked or count <= room:
         begin = max(min((first or 1) - 1, count - room), 0)
@@ -288,6 +290,51 @@ def _cut(text: str, face: Any, width: float) -> str:
     while text and face.getlength(f"{text}…") > width:
         text = text[:-1]
     return f"{text.rstrip()}…"
+
+
+def still_image(size: tuple[int, int], height: int, pixels: np.ndarray) -> np.ndarray:
+    """Render a picture, uint8 (h, w, 4), as large as fits into a box of ``size``, in its middle."""
+    picture = Image.fromarray(pixels)
+    scale = min(size[0] / picture.width, size[1] / picture.height)
+    sides = (max(round(scale * picture.width), 1), max(round(scale * picture.height), 1))
+    image = Image.new("RGBA", size, (*PAPER, 255))
+    place = ((size[0] - sides[0]) // 2, (size[1] - sides[1]) // 2)
+    image.alpha_composite(picture.resize(sides, Image.Resampling.LANCZOS), place)
+    return np.asarray(image)
+
+
+def text_image(size: tuple[int, int], height: int, lines: Sequence[str]) -> np.ndarray:
+    """Render lines of text in a box of ``size``, in letters as large as fits.
+
+    A line that begins with "- " is an item of a list. ``height`` is the window's.
+    """
+    image = Image.new("RGBA", size, (*PAPER, 255))
+    pen = ImageDraw.Draw(image)
+    for pixels in _sizes(height // TEXT_LETTERS[0], max(height // TEXT_LETTERS[1], LEAST)):
+        face = font(pixels)
+        inner = size[0] - 4 * pixels
+        rows = [row for line in lines for row in _rows_of(line, face, inner)]
+        spaces = 0.5 * pixels * (len(lines) - 1)
+        if _tall(rows, pixels) + spaces <= size[1] - 3 * pixels:
+            break
+
+    y = 1.5 * pixels
+    for line in lines:
+        for indent, words in _rows_of(line, face, inner):
+            pen.text((2 * pixels + indent, y), words, WORDS, face)
+            y += SPACING * pixels
+        if line.startswith(ITEM):
+            top = y - len(_rows_of(line, face, inner)) * SPACING * pixels
+            pen.text((2 * pixels, top), "•", RULE, face)
+        y += 0.5 * pixels
+    return np.asarray(image)
+
+
+def _rows_of(line: str, face: Any, width: float) -> list[tuple[float, str]]:
+    """Return a line of text in rows: how far each is indented, and its words."""
+    indent = 1.2 * face.size if line.startswith(ITEM) else 0.0
+    words = writable(line.removeprefix(ITEM), face)
+    return [(indent, row) for row in wrapped(words, face, width - indent)]
 
 
 def message_image(size: tuple[int, int], height: int, text: str) -> np.ndarray:

@@ -8,7 +8,8 @@
     keys: SPACE
     note: Ask what happens if it is called before the viewing transform.
 
-Blocks are separated by empty lines. The first line of a block names what the step shows.
+Blocks are separated by empty lines. The first line of a block names what the step shows; that of a
+step of text is the word "slide".
 """
 
 import ast
@@ -26,16 +27,22 @@ from landscape.scene.scene import find_view
 COURSE = Path(__file__).resolve().parents[1] / "lectures" / "course.txt"
 MOST_BYTES = 1 << 20  # chosen: of a lecture's file
 LESSON, VIEW, PROGRAM = "lesson", "view", "program"  # kinds of steps
-KEYS = ("title", "code", "note", "keys")
-KINDS = "a lesson, a view, a fix, or the path of a .py program"
+PICTURE, TEXT = "picture", "slide"  # "text" is a lesson
+PICTURES = (".png", ".jpg", ".jpeg", ".webp")
+PAPERS = ("16:9", "a4")  # of a PDF: slides, or a handout with notes
+KEYS = ("title", "code", "note", "keys", "frame")
+LATEST = 100_000  # chosen: the highest number of a frame
+KINDS = "a lesson, a view, a fix, the path of a .py program or of a picture, or slide"
 
 
 @dataclass
 class Step:
     """A step as the file has it: ``name`` of a lesson or a view, or what it calls a program.
 
-    ``file`` is a lesson's or a program's, ``code`` the numbers of its lines that matter, None where
-    the lecture names none. ``caption``, ``title`` and ``notes`` are empty where it does not say.
+    ``file`` is a lesson's, a program's or a picture's, ``code`` the numbers of the lines that
+    matter of the first two, None where the lecture names none. ``caption``, ``title`` and ``notes``
+    are empty where it does not say. ``text`` has the lines of a step of text. ``frame`` is the one
+    whose picture stands for a program on paper, None where the lecture names none.
     """
 
     name: str
@@ -47,6 +54,24 @@ class Step:
     code: frozenset[int] | None = None
     notes: list[str] = field(default_factory=list)
     keys: tuple[str, ...] = ()
+    text: list[str] = field(default_factory=list)
+    frame: int | None = None
+
+    @property
+    def runs(self) -> bool:
+        """Whether it shows a program, which has code."""
+        return self.kind in (LESSON, PROGRAM)
+
+    @property
+    def called(self) -> str:
+        """The name of its file, "" without one."""
+        return self.file.name if self.file is not None else ""
+
+    def source(self) -> list[str]:
+        """Return the lines of its program; none without one."""
+        if not self.runs or self.file is None:
+            return []
+        return self.file.read_text("utf-8", "replace").splitlines()
 
 
 @dataclass(frozen=True)
@@ -85,7 +110,7 @@ def texts(lecture: Lecture) -> Iterator[str]:
     """Yield the texts of a lecture that can be translated."""
     yield lecture.title
     for step in lecture.steps:
-        yield from (text for text in (step.title, step.caption, *step.notes) if text)
+        yield from (text for text in (step.title, step.caption, *step.text, *step.notes) if text)
 
 
 Lines = list[tuple[int, str]]
@@ -139,18 +164,24 @@ def _step(path: Path, block: Lines) -> Step:
             step.title = value
         elif key == "note":
             step.notes.append(value)
-        elif key == "keys":
+        elif key == "keys" and step.kind not in (PICTURE, TEXT):
             step.keys += tuple(_pressed(where, value))
-        elif step.file is None:
+        elif not step.runs or step.file is None:
             raise InputError(
-                "{where}: code: {name} is a view; expected it at a lesson or program",
+                "{where}: {key}: expected it at a lesson or program; {name} is none",
                 where=where,
-                name=name,
+                key=key,
+                name=short(name),
             )
+        elif key == "frame":
+            step.frame = _frame(where, value)
         else:
             step.code = (step.code or frozenset()) | _lines(where, step.file, value)
 
-    step.caption = " ".join(captions)
+    if step.kind == TEXT:
+        step.text = captions
+    else:
+        step.caption = " ".join(captions)
     return step
 
 
@@ -159,7 +190,10 @@ def _named(path: Path, line: int, name: str) -> Step:
     if name in NAMES:
         return Step(name, LESSON, line, lesson(name).file)
 
-    if name.endswith(".py"):
+    if name == TEXT:
+        return Step(name, TEXT, line)
+
+    if name.endswith((".py", *PICTURES)):
         file = path.parent / name
         if not file.is_file():
             raise InputError(
@@ -168,7 +202,7 @@ def _named(path: Path, line: int, name: str) -> Step:
                 line=line,
                 name=short(name),
             )
-        return Step(name, PROGRAM, line, file)
+        return Step(name, PROGRAM if name.endswith(".py") else PICTURE, line, file)
 
     try:
         find_view(name)
@@ -181,6 +215,17 @@ def _named(path: Path, line: int, name: str) -> Step:
             kinds=KINDS,
         ) from None
     return Step(name, VIEW, line)
+
+
+def _frame(where: str, value: str) -> int:
+    if not (value.isascii() and value.isdigit()) or int(value[:9]) > LATEST:
+        raise InputError(
+            "{where}: frame: {value}: expected a whole number from 0 to {latest}",
+            where=where,
+            value=short(value),
+            latest=LATEST,
+        )
+    return int(value)
 
 
 def _pressed(where: str, value: str) -> Iterator[str]:

@@ -129,7 +129,7 @@ class Stage(GLFWContext):
     @property
     def coded(self) -> bool:
         """Whether the code is shown."""
-        return self.step.file is not None and (
+        return self.step.runs and (
             self.step.code is not None if self._coding is None else self._coding
         )
 
@@ -157,8 +157,7 @@ class Stage(GLFWContext):
         self._first = None
         self.wants_strip = False
         self._strip = None
-        file = self.step.file
-        self._source = file.read_text("utf-8", "replace").splitlines() if file else []
+        self._source = self.step.source()
         self.settle()
 
     def settle(self) -> None:
@@ -220,9 +219,9 @@ class Stage(GLFWContext):
             (where.caption, size, *said),
             lambda: caption_image(where.caption, size[1], *said),
         )
-        if where.code is not None and self.step.file is not None:
+        if where.code is not None:
             box = where.code
-            name = self.step.file.name
+            name = self.step.called
             marked = texts.marked(self.step)
             self.plates.draw(
                 "code",
@@ -310,7 +309,7 @@ class Stage(GLFWContext):
         self._strip = None
 
     def _toggle_code(self) -> None:
-        if self.step.file is not None:
+        if self.step.runs:
             self._coding, self._first = not self.coded, None
 
     def _toggle_strip(self) -> None:

@@ -5,11 +5,12 @@ import re
 import shutil
 import textwrap
 from collections.abc import Sequence
+from pathlib import Path
 
 from framelens.base.texts import Texts, choose, translator
 from landscape.course.ladder import lesson
 from landscape.course.language import translated
-from landscape.course.lecture.plan import LESSON, PROGRAM, Lecture, Step, new_lines
+from landscape.course.lecture.plan import LESSON, PICTURE, VIEW, Lecture, Step, new_lines
 from landscape.course.pages import page
 from landscape.gallery.view_captions import VIEW_PANELS
 from landscape.island.fixes import FIXES
@@ -39,8 +40,10 @@ def title(step: Step) -> str:
         return translated(step.title)
     if step.kind == LESSON:
         return translated(lesson(step.name).title)
-    if step.kind == PROGRAM:
-        return step.name
+    if step.kind == PICTURE:
+        return Path(step.name).stem
+    if step.kind != VIEW:
+        return step.name if step.runs else ""
     shows = find_view(step.name)[1].shows
     title = translator(choose(os.environ), "gallery", "fixes")(shows, step.name)
     return title[:1].upper() + title[1:]
@@ -48,7 +51,7 @@ def title(step: Step) -> str:
 
 def caption(step: Step) -> str:
     """Return what stands beside the title: the lecture's words, the lesson's or the gallery's."""
-    if step.caption or step.kind == PROGRAM:
+    if step.caption or step.kind not in (LESSON, VIEW):
         return translated(step.caption)
     if step.kind == LESSON:
         return translated(lesson(step.name).about[0])
@@ -67,6 +70,11 @@ def captions(step: Step) -> list[str]:
         return [whole]
     sentences = re.split(r"(?<=[.?!]) +", whole)
     return [" ".join(sentences[:count]) for count in range(len(sentences), 0, -1)]
+
+
+def paragraphs(step: Step) -> list[str]:
+    """Return the lines of a step of text."""
+    return [translated(line) for line in step.text]
 
 
 def marked(step: Step) -> frozenset[int]:

@@ -1,6 +1,6 @@
-"""A step that is a view: its scene is walked live in the area; and one that is only a sentence."""
+"""A step that is a view: its scene is walked live in the area; and one that stands still."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -80,7 +80,7 @@ class LectureWalk(Walk):
 
 def play(stage: Stage, name: str, keys: Sequence[str], language: str) -> None:
     """Walk a view until the user leaves; InputError, NoOpenGLError as for a walk."""
-    with LectureWalk(stage, planned(stage, name, language)) as walk:
+    with LectureWalk(stage, planned(name, stage.pixels(), language)) as walk:
         stage.player = walk
         for key in keys:
             code = getattr(stage.glfw, f"KEY_{key}")
@@ -92,8 +92,8 @@ def play(stage: Stage, name: str, keys: Sequence[str], language: str) -> None:
         walk.obey("release")
 
 
-def planned(stage: Stage, name: str, language: str) -> Plan:
-    """Return how the walk begins at a view, in the stage's area."""
+def planned(name: str, size: tuple[int, int], language: str) -> Plan:
+    """Return how the walk begins at a view, in an area of ``size`` pixels."""
     kind, begin = find_view(name)
     preset = kind.preset_of(begin)
     return Plan(
@@ -101,7 +101,7 @@ def planned(stage: Stage, name: str, language: str) -> Plan:
         settings=kind.values(preset, begin.settings),
         view=begin.name,
         pose=begin.pose,
-        size=stage.pixels(),
+        size=size,
         kt=begin.kt,
         seed=SEED,
         only=kind.shown(begin),
@@ -129,26 +129,27 @@ def _frame(stage: Stage, walk: LectureWalk, name: str, language: str) -> None:
 
 def say(stage: Stage, text: str) -> None:
     """Show a sentence until the user leaves."""
+    stand(stage, partial(message_image, text=text))
+
+
+def stand(stage: Stage, image: Callable[[tuple[int, int], int], np.ndarray]) -> None:
+    """Show a picture, made for the area's size and the window's height, until the user leaves."""
     with unnoted():
         gl.glClearColor(0.0, 0.0, 0.0, 1.0)
-    sentence: Any = _Sentence()
-    stage.player = sentence
+    still: Any = _Still()
+    stage.player = still
     while not stage.leaving:
         stage.poll()
         with unnoted(), apart(stage.whole()):
             gl.glClear(gl.GL_COLOR_BUFFER_BIT)
-            shows = text, stage.pixels(), stage.whole()[1]
-            stage.plates.draw("sentence", (0, 0), shows, partial(_image, *shows))
+            shows = stage.pixels(), stage.whole()[1]
+            stage.plates.draw("still", (0, 0), (stage.index, *shows), partial(image, *shows))
         stage.wants_strip = False
         stage.show()
 
 
-def _image(text: str, area: tuple[int, int], height: int) -> np.ndarray:
-    return message_image(area, height, text)
-
-
-class _Sentence:
-    """Plays a step that is only a sentence: it takes no notice of the user."""
+class _Still:
+    """Plays a step that stands still: it takes no notice of the user."""
 
     def key(self, *_: Any) -> None:
         pass
