@@ -5,6 +5,7 @@ from pathlib import Path
 
 from framelens.commands.common import quiet_option
 from landscape.commands.common import QUIET
+from landscape.commands.work import work, work_options
 
 EXAMPLE = "water.png --assets mine"
 
@@ -15,6 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--assets", type=Path, metavar="DIR", help="where to write them; default: in place"
     )
+    work_options(parser)
     quiet_option(parser, QUIET)
 
 
@@ -23,4 +25,5 @@ def run(options: argparse.Namespace) -> int:
     # The studio needs an extra; the help of this command does not.
     from landscape.studio.build import build
 
-    return build(options.names, options.assets, options.quiet)
+    with work(options) as (workers, _):
+        return build(options.names, options.assets, options.quiet, workers, options.jobs or 0)

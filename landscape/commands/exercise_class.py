@@ -16,6 +16,7 @@ from framelens.base.texts import Translator, translator
 from framelens.commands.option_values import refusal
 from landscape import __version__
 from landscape.commands.shelves import shelf
+from landscape.commands.work import work
 from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import _
 from landscape.course.roster import moodle, tables
@@ -83,9 +84,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     own.add_argument(
         "--jobs",
         type=_jobs,
-        default=0,
         metavar="N",
         help=_("how many processes grade; default: as many as there are processors"),
+    )
+    own.add_argument(
+        "--engine",
+        metavar="ADDRESS|FILE.json",
+        help=_(
+            "a cluster of Dask that grades, in place of --jobs: its scheduler's address or its "
+            "scheduler file"
+        ),
     )
     own.add_argument(
         "--again",
@@ -147,7 +155,9 @@ def run(options: argparse.Namespace, language: str) -> int:
         exercises=exercises.folder,
     )
     with Progress(len(found), options.quiet or options.json) as progress:
-        graded = grade_class(found, rules, options.due, progress.step, jobs=options.jobs)
+        with work(options) as (workers, _):
+            asked = found, rules, options.due, progress.step
+            graded = grade_class(*asked, workers, options.jobs or 0)
 
     translate = translator(language, "course")
     alike = likenesses(graded, exercises) if options.copies else None

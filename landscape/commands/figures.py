@@ -7,6 +7,7 @@ import landscape
 from framelens.base.errors import InputError
 from landscape.commands.changes import given_changes, offscreen_options
 from landscape.commands.common import drawing_options
+from landscape.commands.work import work, work_options
 from landscape.scene.scene import SCENES, scene
 
 EXAMPLE = "35 --out figures"
@@ -25,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--pages", action="store_true", help="replace the pages that show them, and no picture"
     )
+    work_options(parser, "processes that draw; default: 1")
     drawing_options(
         parser, samples=4, preset="the figures of the report are always drawn with 2006"
     )
@@ -45,18 +47,20 @@ def run(options: argparse.Namespace) -> int:
     if options.pages:
         figures.update_pages(options.names, gallery)
         return 0
-    if options.update:
-        figures.update(options.names, gallery, drawing, options.quiet)
-        return 0
-    if options.check:
-        if not gallery.is_dir():
-            raise InputError(
-                "figures --check: the committed pictures are not installed with the program: "
-                "expected a checkout, or its folder screenshots in the current folder"
-            )
-        return figures.check(options.names, gallery, options.out, drawing, options.quiet)
-
-    for path in figures.make(options.names, options.out, drawing, options.quiet):
-        if not options.quiet:
-            print(path)
+    if options.check and not gallery.is_dir():
+        raise InputError(
+            "figures --check: the committed pictures are not installed with the program: "
+            "expected a checkout, or its folder screenshots in the current folder"
+        )
+    with work(options) as (executor, jobs):
+        workers = figures.Workers(executor, options.jobs or (jobs if executor else 1))
+        asked = drawing, options.quiet, workers
+        if options.update:
+            figures.update(options.names, gallery, *asked)
+            return 0
+        if options.check:
+            return figures.check(options.names, gallery, options.out, *asked)
+        paths = figures.make(options.names, options.out, *asked)
+    if not options.quiet:
+        print(*paths, sep="\n")
     return 0

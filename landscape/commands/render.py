@@ -10,6 +10,7 @@ from framelens.commands.common import edits_option
 from framelens.commands.reporting import notify
 from landscape.commands.changes import given_changes, offscreen_options, tell_of_no_effect
 from landscape.commands.common import WORLD, drawing_options, kt_option, pose_option, size_option
+from landscape.commands.work import work, work_options
 from landscape.frame import Pose
 from landscape.scene.scene import SCENES, View, find_view, scene
 
@@ -27,6 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--world", type=Path, metavar="FILE", help=WORLD)
     edits_option(parser)
     size_option(parser, (800, 600), "size of the pictures")
+    work_options(parser)
     drawing_options(parser, samples=4)
 
 
@@ -50,7 +52,9 @@ def run(options: argparse.Namespace) -> int:
     arguments |= offscreen_options(options) | {"world": options.world}
     edits = read(options.edits) if options.edits else []
     with Progress(len(jobs), options.quiet) as progress:
-        missed = render_all(jobs, arguments, options.kt, options.wireframe, progress.step, edits)
+        with work(options) as (workers, _):
+            asked = jobs, arguments, options.kt, options.wireframe, progress.step, edits
+            missed = render_all(*asked, workers, options.jobs or 0)
 
     notify(options, missed)
     tell_of_no_effect(options, places, changes)

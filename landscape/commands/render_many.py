@@ -48,16 +48,18 @@ def render_all(
     done: Callable[[str], None],
     edits: Sequence[Edit] = (),
     executor: Executor | None = None,
+    count: int = 0,
 ) -> list[str]:
     """Draw and save each job, then call ``done`` with its name; ``arguments`` are an Offscreen's.
 
-    The workers are processes of this machine, as many as pay, or those of an ``executor``.
+    The workers are ``count`` processes of this machine, as many as pay by default, or those of an
+    ``executor``.
     ``edits`` are in force in all pictures. Return a line for each that found no call in any.
 
     After Ctrl-C, or when one job fails, all files on the disk are complete.
     """
     watched = Edits(edits)
-    count = max(min(cores(), len(jobs) // (FEWEST // 2)), 1)
+    count = count or max(min(cores(), len(jobs) // (FEWEST // 2)), 1)
     stills = _Stills(dict(arguments), kt, wireframe, tuple(edits), dict(SCENES))
     task = partial(draw, pickle.dumps(stills))
     views = [view for _, view, _ in jobs]

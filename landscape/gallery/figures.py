@@ -5,7 +5,10 @@ of the software fly-over.
 """
 
 import io
+import pickle
 from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Executor
+from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,6 +17,7 @@ import numpy as np
 from PIL import Image
 
 from framelens.base.errors import InputError
+from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import check_output_folder, save_png, write_whole
 from framelens.base.progress import Progress
 from framelens.base.texts import LANGUAGES
@@ -67,21 +71,44 @@ def gallery(names: list[str]) -> Gallery:
     return Gallery("", "png", named_panels(names), page.page)
 
 
-def make(names: list[str], out: Path, options: Mapping[str, object], quiet: bool) -> list[Path]:
+@dataclass(frozen=True)
+class Workers:
+    """Who draws panels: ``jobs`` processes of this machine, or an ``executor``'s."""
+
+    executor: Executor | None = None
+    jobs: int = 1
+
+
+ALONE = Workers()
+
+
+def make(
+    names: list[str],
+    out: Path,
+    options: Mapping[str, object],
+    quiet: bool,
+    workers: Workers = ALONE,
+) -> list[Path]:
     """Draw panels into a folder; return the files."""
     check_output_folder(out)
     paths = []
-    for panel, picture, _ in drawn(gallery(names).panels, options, quiet):
+    for panel, picture, _ in drawn(names, options, quiet, workers):
         paths.append(out / f"{panel.name}.png")
         save_png(picture, paths[-1], small=True)
     return paths
 
 
-def update(names: list[str], folder: Path, options: Mapping[str, object], quiet: bool) -> None:
+def update(
+    names: list[str],
+    folder: Path,
+    options: Mapping[str, object],
+    quiet: bool,
+    workers: Workers = ALONE,
+) -> None:
     """Rewrite the committed pictures that differ, the renderer's name, and the pages."""
     wanted = gallery(names)
     folder, renderer = folder / wanted.folder, ""
-    for panel, picture, opengl in drawn(wanted.panels, options, quiet):
+    for panel, picture, opengl in drawn(names, options, quiet, workers):
         path, renderer = folder / f"{panel.name}.{wanted.suffix}", opengl or renderer
         if wanted.lossy:
             if not path.exists() or not agree_lossy(read_image(path, "RGB"), picture):
@@ -123,7 +150,12 @@ def as_webp(picture: np.ndarray, quality: int) -> bytes:
 
 
 def check(
-    names: list[str], folder: Path, out: Path, options: Mapping[str, object], quiet: bool
+    names: list[str],
+    folder: Path,
+    out: Path,
+    options: Mapping[str, object],
+    quiet: bool,
+    workers: Workers = ALONE,
 ) -> int:
     """Compare new panels with the committed ones; return 1 if any differs.
 
@@ -135,7 +167,7 @@ def check(
     expected_renderer = kept.read_text(encoding="utf-8").strip() if kept.exists() else ""
     wanted = gallery(names)
     failed = 0
-    for panel, picture, opengl in drawn(wanted.panels, options, quiet):
+    for panel, picture, opengl in drawn(names, options, quiet, workers):
         path = folder / wanted.folder / f"{panel.name}.{wanted.suffix}"
         same = not opengl or opengl == expected_renderer
         if path.exists():
@@ -154,15 +186,29 @@ def check(
 
 
 def drawn(
-    wanted: list[FigurePanel], options: Mapping[str, object], quiet: bool
+    names: list[str], options: Mapping[str, object], quiet: bool, workers: Workers = ALONE
 ) -> Iterator[tuple[FigurePanel, np.ndarray, str]]:
     """Yield each panel, its picture and the OpenGL in use, with progress on a terminal."""
-    renderer = PanelRenderer(options)
+    wanted = gallery(names).panels
+    count = workers.jobs
+    task = partial(draw, tuple(names), pickle.dumps(dict(options)))
     try:
-        with Progress(len(wanted), quiet) as progress:
-            for panel in wanted:
-                picture = panel.draw(renderer)
-                yield panel, picture, renderer.opengl
+        with (
+            Progress(len(wanted), quiet) as progress,
+            lent_or_own(workers.executor, count) as executor,
+            closing(in_order(executor, task, range(len(wanted)), ahead(count))) as pictures,
+        ):
+            for panel, (picture, opengl) in zip(wanted, pictures, strict=True):
+                yield panel, picture, opengl
                 progress.step(panel.name)
     finally:
-        renderer.close()
+        _open.close()  # where the executor is one in this process
+
+
+def draw(names: tuple[str, ...], packed: bytes, number: int) -> tuple[np.ndarray, str]:
+    """Return a panel's picture, and the OpenGL in use: a task for any executor."""
+    with _open.opened(packed, lambda: PanelRenderer(pickle.loads(packed))) as renderer:
+        return gallery(list(names)).panels[number].draw(renderer), renderer.opengl
+
+
+_open: Kept[PanelRenderer] = Kept()

@@ -180,16 +180,18 @@ def make(name: str) -> bytes:
 
 
 def make_all(
-    names: list[str], executor: Executor | None = None
+    names: list[str], executor: Executor | None = None, jobs: int = 0
 ) -> Generator[tuple[str, bytes], None, None]:
     """Make the assets side by side; yield the name and the bytes of each, in this order.
 
-    The workers are up to PROCESSES processes of this machine, or those of an ``executor``.
+    The workers are ``jobs`` processes of this machine, up to PROCESSES by default, or those of an
+    ``executor``.
     """
-    count = min(PROCESSES, os.cpu_count() or 1, len(names))
+    count = min(jobs or min(PROCESSES, os.cpu_count() or 1), len(names))
+    alone = count == 1 and executor is None
     with (
         lent_or_own(executor, count) as workers,
-        closing(in_order(workers, make, names, ahead=len(names) if count > 1 else 1)) as files,
+        closing(in_order(workers, make, names, ahead=1 if alone else len(names))) as files,
     ):
         yield from zip(names, files, strict=True)
 
@@ -199,10 +201,12 @@ def build(
     folder: Path | None = None,
     quiet: bool = False,
     executor: Executor | None = None,
+    jobs: int = 0,
 ) -> int:
     """Build the named assets (all if none are named) into ``folder``; return the exit status.
 
-    The default folder is that of the shipped assets; for ``executor`` see :func:`make_all`.
+    The default folder is that of the shipped assets; for ``executor`` and ``jobs`` see
+    :func:`make_all`.
     Raises InputError for an unknown asset, a folder that cannot be created, or a missing extra.
     """
     try:
@@ -229,7 +233,7 @@ def build(
 
     with (
         Progress(len(selected), quiet) as progress,
-        closing(make_all(selected, executor)) as files,
+        closing(make_all(selected, executor, jobs)) as files,
     ):
         for name, data in files:
             write_whole(target / name, data)

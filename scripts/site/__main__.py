@@ -30,14 +30,17 @@ import start
 import theme
 from drawn import Drawn, draw_exercise, draw_lesson, read_scene, shrink
 
+from framelens.base.engine import engine
 from framelens.base.executor import ahead, in_order, lent_or_own
 from framelens.base.progress import Progress
 from framelens.base.texts import LANGUAGES
 from landscape.course.ladder import lessons
 from landscape.course.shelf import NAMES
+from landscape.maker import maker
 from landscape.scene.scene import scene
 
 ROOT = Path(__file__).resolve().parents[2]
+ENGINE = "a cluster of Dask that shares this checkout, with PYTHONPATH=scripts/site"
 SOURCE = ROOT / "build" / "site-source"
 
 
@@ -47,6 +50,7 @@ def main() -> int:
     parser.add_argument("command", choices=("build", "check"))
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "site", metavar="DIR")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
+    parser.add_argument("--engine", metavar="ADDRESS|FILE.json", help=ENGINE)
     options = parser.parse_args()
     if options.command == "check":
         from check import check
@@ -54,15 +58,18 @@ def main() -> int:
         faults = check(options.out.resolve())
         print("\n".join(faults) or "the site is whole")
         return 1 if faults else 0
-    return build(options.out, options.jobs)
+    if options.engine is None:
+        return build(options.out, options.jobs)
+    with engine(options.engine, maker, lambda line: print(line, file=sys.stderr)) as workers:
+        return build(options.out, workers.workers, workers)
 
 
-def build(out: Path, jobs: int) -> int:
+def build(out: Path, jobs: int, workers: Executor | None = None) -> int:
     """Build the site; return the exit status."""
     begin = time.monotonic()
     shutil.rmtree(SOURCE, ignore_errors=True)
     shutil.rmtree(out, ignore_errors=True)
-    drawn = draw(SOURCE / "pictures", jobs)
+    drawn = draw(SOURCE / "pictures", jobs, workers)
     for language in LANGUAGES:
         folder = SOURCE / language
         write(folder, language, drawn)
