@@ -129,6 +129,20 @@ tell(open_context())
 
 
 @linux
+def test_a_driver_that_mesa_does_not_have_is_told_in_one_line() -> None:
+    need_library("OSMesa")
+    code = """
+without("EGL", "GL")
+try:
+    open_context("auto")
+except NoOpenGLError as error:
+    print(error)
+"""
+    line = told(code, environment(GALLIUM_DRIVER="nosuch"))
+    assert line.startswith("OSMesa has no driver nosuch: unset GALLIUM_DRIVER")
+
+
+@linux
 def test_egl_without_a_library_of_drawing_functions_is_refused() -> None:
     need_library("EGL")
     code = """

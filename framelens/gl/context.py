@@ -13,7 +13,7 @@ from framelens.base.errors import NoOpenGLError
 from framelens.gl.contexts.cgl import CGLContext
 from framelens.gl.contexts.egl import EGLContext
 from framelens.gl.contexts.glfw import GLFWContext
-from framelens.gl.contexts.osmesa import OSMesaContext
+from framelens.gl.contexts.osmesa import OSMesaContext, asked_driver
 from framelens.gl.seam import Lists
 
 
@@ -68,7 +68,10 @@ def open_context(backend: str = "auto") -> Context:
 
 
 def _first(makers: Mapping[str, Callable[[], Context]]) -> Context:
-    """Return the first context that can be opened; NoOpenGLError with the reason of TOLD."""
+    """Return the first context that can be opened; NoOpenGLError with the reason of TOLD.
+
+    With that of OSMesa where the environment asks for a driver.
+    """
     # Not the errors: they hold the callers' frames, and what is in them, until the next collection.
     reasons: dict[str, str] = {}
     for name, make in makers.items():
@@ -76,4 +79,4 @@ def _first(makers: Mapping[str, Callable[[], Context]]) -> Context:
             return make()
         except NoOpenGLError as error:
             reasons[name] = str(error)
-    raise NoOpenGLError(reasons[TOLD])
+    raise NoOpenGLError(reasons["osmesa" if asked_driver() and "osmesa" in reasons else TOLD])

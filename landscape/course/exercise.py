@@ -242,7 +242,7 @@ class Grader:
                 raise InputError(
                     "{model}: the solution cannot be run here ({solution})",
                     model=model,
-                    solution=shown["word"],
+                    solution=shown.get("reason", shown["word"]),
                 )
             solution = shown
 

@@ -51,7 +51,7 @@ def _calls(found: Exercise) -> bytes:
 
     try:
         return record(found)
-    except AssertionError:
+    except recorded.Unrecorded:
         raise InputError(
             "{folder}: the calls of solution.py do not give its pictures again, so students cannot "
             "check their programs; --without-checks packs the programs alone",

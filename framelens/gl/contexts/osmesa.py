@@ -1,12 +1,14 @@
 """OSMesa: software rendering into memory, with no screen and no device."""
 
 import ctypes
+import os
 from functools import cache
 from typing import Any
 
 import numpy as np
 
 from framelens.base.errors import NoOpenGLError
+from framelens.base.isolated import Ended, isolated
 from framelens.gl.binding import check_platform, use_platform
 from framelens.gl.libraries import functions, require
 from framelens.gl.raw import raw
@@ -23,10 +25,46 @@ FUNCTIONS = {
 }
 
 
+# The environment variable by which Mesa chooses a driver, and those that every OSMesa may have.
+DRIVER = "GALLIUM_DRIVER"
+DRIVERS = ("", "llvmpipe", "softpipe")
+PATIENCE = 20.0  # seconds, chosen: to try a driver
+
+
 @cache
 def library() -> Any:
-    """Return OSMesa's functions; NoOpenGLError if there are none, or not all."""
+    """Return OSMesa's functions; NoOpenGLError if there are none, not all, or not the driver."""
+    _check_driver()
+    return _library()
+
+
+def _library() -> Any:
     return functions(require("OSMesa", "osmesa"), "OSMesa", FUNCTIONS, "osmesa")
+
+
+def asked_driver() -> str:
+    """Return the driver that the environment asks for, if OSMesa may not have it; else ""."""
+    name = os.environ.get(DRIVER, "")
+    return "" if name in DRIVERS else name
+
+
+def _check_driver() -> None:
+    """Raise NoOpenGLError where Mesa would crash: it does so if it lacks the driver it is told."""
+    if name := asked_driver():
+        try:
+            isolated(_try, seconds=PATIENCE)
+        except Ended:
+            raise NoOpenGLError(
+                "OSMesa has no driver {name}: unset {variable}, or set it to {drivers}",
+                name=name,
+                variable=DRIVER,
+                drivers=" or ".join(filter(None, DRIVERS)),
+            ) from None
+
+
+def _try() -> None:
+    """Open a context, in a process that may crash."""
+    _library().OSMesaCreateContextExt(RGBA, 24, 8, 0, None)
 
 
 def leave() -> None:

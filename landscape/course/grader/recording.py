@@ -54,7 +54,10 @@ def source(of: Exercise) -> str:
 
 
 def record(of: Exercise) -> bytes:
-    """Run a solution; return the bytes of the file that shows what it draws."""
+    """Run a solution; return the bytes of the file that shows what it draws.
+
+    Unrecorded if its calls do not give its pictures again, or cannot be made again.
+    """
     takes = [_recorded(found(of.folder), each) for each in runs(of)]
     return recorded.packed(Recorded(source(of), takes))
 
@@ -70,7 +73,7 @@ def _recorded(path: Path, drawn: Trial) -> Take:
         played = pictures(PLAYER, drawn.frames, list(drawn.events) or None)
         if all(map(np.array_equal, recorder.pictures, played)):
             return take
-    raise AssertionError(f"{path}: its calls do not give its pictures")
+    raise recorded.Unrecorded(f"{path}: its calls do not give its pictures")
 
 
 class _Recorder(ExitStack):

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, NoOpenGLError
 from framelens.gl.framebuffer import read_pixels
 from framelens.gl.notes import Brief, Call
 from framelens.gl.seam import begin_pass, briefly, frame_begins, gl, outermost, recording, unnoted
@@ -77,7 +77,7 @@ def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
     except ProgramError as error:
         late = f"within {job['seconds']:g} s" in str(error)
         end({"error": _trouble(error, witness, refusals, late)})
-    except InputError as error:
+    except (InputError, NoOpenGLError) as error:
         end({"error": {"word": "refused", "reason": str(error)}})
 
 
