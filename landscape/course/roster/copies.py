@@ -13,6 +13,7 @@ Renamed variables leave the sequences and the numbers, functions in another orde
 sequences, changed comments leave all but these.
 """
 
+import builtins
 import io
 import keyword
 import math
@@ -47,7 +48,7 @@ WORDS = {  # as a reader sees them
 MOST_WORDS = 4  # of a comment, chosen: more weigh no more
 LONG = 4  # letters of a name, or digits of a number, chosen: a shorter one may be chance
 SHORT_WEIGHT = 0.5  # chosen
-# Names that everybody writes: Python's, and OpenGL's.
+# Names that everybody writes, beside Python's own and those after a dot: OpenGL's.
 USUAL = re.compile(r"(gl|glu|glut|glfw)[A-Z]\w*|(GL|GLU|GLUT)_\w+|glfw|np|math|sys|numpy|self")
 Key = tuple[str, str]
 
@@ -79,15 +80,18 @@ def traces(code: str) -> Mapping[Key, int]:
     """
     found: dict[Key, int] = {}
     sequence: list[tuple[str, int]] = []
+    before = ""
     for token in _tokens(code):
         line = token.start[0]
+        attribute, before = before == ".", token.string
         if token.type == tokenize.COMMENT:
             words = re.findall(r"\w+", token.string.casefold())
             if words:
                 found.setdefault((COMMENT, " ".join(words)), line)
             continue
         if token.type == tokenize.NAME and not keyword.iskeyword(token.string):
-            usual = USUAL.fullmatch(token.string) is not None
+            usual = attribute or USUAL.fullmatch(token.string) is not None
+            usual = usual or hasattr(builtins, token.string)
             sequence.append((token.string if usual else "N", line))
             if not usual:
                 found.setdefault((NAME, token.string), line)
