@@ -126,6 +126,8 @@ BEST: dict[str, Value] = {
     "grass.gusts": 1.0,
     "rabbit.mapping": "axis",
     "rabbit.painted": True,
+    "rabbit.fur": 6,
+    "rabbit.scale": 0.06,
     "dragon.mapping": "axis",
     "dragon.painted": True,
     "dragon.gloss": 0.5,
