@@ -180,6 +180,6 @@ def test_the_list_gives_an_action_the_next_key(language: str) -> None:
 
 def test_the_file_says_what_each_value_means() -> None:
     text = written(Preferences())
-    again, messages = parsed(text, Path("walk.toml"))
+    again, messages = parsed(text, Path("preferences.toml"))
     assert again == Preferences() and messages == []
     assert text.count("\n# ") >= len(Preferences.__dataclass_fields__) - 1

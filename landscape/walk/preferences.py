@@ -1,9 +1,9 @@
 """What a user wants in every walk: keys, mouse, comfort, language; kept in one commented TOML file.
 
-The file is ``walk.toml`` in the system's folder for settings, or in the folder that the environment
-variable LANDSCAPE_CONFIG names; if it is empty, nothing is kept. A replay takes its keys from here
-and nothing else: a recorded walk looks as it did. A file that cannot be read is kept aside under
-another name, and what it says of single keys wrongly is left out; both are said in a line.
+The file is ``preferences.toml`` in the system's folder for settings, or in the folder that the
+environment variable LANDSCAPE_CONFIG names; if it is empty, nothing is kept. A replay takes its
+keys from here and nothing else: a recorded walk looks as it did. A file that cannot be read is kept
+aside under another name, and a value that is wrong is left out; both are said in a line.
 """
 
 import json
@@ -22,7 +22,7 @@ from framelens.base.texts import choose, said
 from landscape.settings import declare
 from landscape.walk.keymap import ACTIONS, KEY_NAMES, Keymap, key_named
 
-FILE = "walk.toml"
+FILE = "preferences.toml"
 MOST_BYTES = 64 << 10  # chosen: many times what all of them take
 LANGUAGES = ("", "en", "fr")
 Said = Message | InputError  # what is to be said about a file
