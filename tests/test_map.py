@@ -53,6 +53,27 @@ def test_the_map_fills_the_upper_left_quarter_of_each_side(
     assert close(outside, BACKGROUND)
 
 
+@pytest.mark.parametrize("size", [(160, 20), (40, 120)])
+def test_in_a_long_window_the_map_keeps_its_shape(
+    stage: Stage, plain: Assets, size: tuple[int, int]
+) -> None:
+    settings = small({"overlay.map_alpha": 1.0})
+    map_ = Map(settings, plain, FLAT)
+    with stage.frame(settings, Pose(39.9, 1.0, 39.9), size=size) as frame:
+        map_.draw(frame)
+        green = close_to_green(stage.read())
+    map_.release()
+    rows, columns = np.nonzero(green)
+    side = min(size) // 2
+    wanted = (side, min(size) // 4) if size[0] > size[1] else (min(size) // 4, side)
+    assert (np.ptp(columns) + 1, np.ptp(rows) + 1) == wanted
+    assert (columns.min(), rows.min()) == (0, stage.size[1] - size[1])
+
+
+def close_to_green(picture: np.ndarray) -> np.ndarray:
+    return np.abs(picture.astype(int) - GREEN).max(axis=2) < 3
+
+
 @pytest.mark.parametrize(("x", "z"), [(20.0, 20.0), (10.0, 30.0), (34.0, 6.0)])
 def test_the_point_at_the_walkers_position_is_five_pixels_wide(
     stage: Stage, plain: Assets, x: float, z: float

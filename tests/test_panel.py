@@ -164,6 +164,37 @@ def test_long_texts_shrink_the_font_until_the_list_fits() -> None:
     )
 
 
+def test_in_a_narrow_window_a_long_message_takes_several_lines_of_readable_size() -> None:
+    text = "11 frames/s   1,234 lines of 98,765   123,456 pixels"
+    image = line_image(text, (300, 900))
+    assert image.shape[1] <= 300
+    assert image.shape[0] > 2 * line_image("11", (800, 600)).shape[0] * 14 / 17 * 0.8
+    assert line_image(text, (1280, 720)).shape[0] == line_image("11", (1280, 720)).shape[0]
+
+
+def test_the_message_stays_above_what_the_scene_shows_and_a_plate_can_be_opaque(
+    stage: Stage,
+) -> None:
+    def drawn(**how: Any) -> np.ndarray:
+        panel = Panel("Keys", [])
+        with stage.borrowed():
+            gl.glViewport(0, 0, *stage.size)
+            gl.glClearColor(1.0, 1.0, 1.0, 1.0)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+            panel.draw(stage.size, **how)
+            picture = stage.read()
+        panel.release()
+        return picture
+
+    for covered in (0, 60):
+        rows = np.nonzero((drawn(message="fog off", covered=covered) < 200).any(axis=(1, 2)))[0]
+        assert stage.size[1] - 1 - rows.max() == stage.size[1] // 24 + covered
+    plate = np.full((20, 20, 4), (12, 20, 28, 190), np.uint8)
+    for opaque, seen in ((False, False), (True, True)):
+        picture = drawn(left=("plate", lambda: plate), opaque=opaque)
+        assert bool((picture == (12, 20, 28)).all(axis=2).sum() == 400) is seen
+
+
 def test_no_window_is_too_small_for_text() -> None:
     for size in ((1, 1), (3, 200), (200, 3)):
         assert keys_image("Keys", ROWS, size).size

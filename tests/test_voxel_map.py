@@ -68,6 +68,20 @@ def test_an_arrow_is_where_the_walker_is_and_turns_with_the_view() -> None:
         assert (found[2] != found[3]).any()
 
 
+def test_beyond_the_border_the_arrow_waits_at_the_maps_edge() -> None:
+    with opened() as view:
+        view.look(ABOVE)
+        size, y = view.scene.land.world.size, 20.0
+        pictures = []
+        for x in (size - 0.01, size + 0.5, size + 9.0):
+            view.look((x, y, size / 2, 90.0, -85.0))
+            pictures.append(corner(view))
+        white = (pictures[0] > 200).all(axis=2)
+        assert white.sum() > 4
+        for picture in pictures[1:]:
+            np.testing.assert_array_equal((picture > 200).all(axis=2), white)
+
+
 def test_the_map_switches_off_and_has_changed_blocks_when_it_is_on_again() -> None:
     with opened() as view:
         view.look(ABOVE)

@@ -465,7 +465,7 @@ from landscape.walk.builder import WorldFile
 class Scene:
     changes = slot = count = 0
     def use(self, *given): return ""
-    choose = bar = restore = merged = use
+    choose = bar = covered = restore = merged = use
     def saved(self):
         self.count += 1
         return b"%08d" % self.count * 200_000 + b"end"

@@ -630,3 +630,42 @@ def _wait_for(condition, process: subprocess.Popen, what: str) -> None:
         assert process.poll() is None, f"the walk ended while waiting for {what}"
         assert time.monotonic() < deadline, f"waited in vain for {what}"
         time.sleep(0.05)
+
+
+OVERLAYS = """
+import json
+import glfw
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.scene.scene import scene
+from landscape.walk.app import Walk
+from landscape.walk.recording import Plan
+
+hall = scene("hall")
+plan = Plan("hall", hall.settings, "", Pose(1.6, None, 2.6), (160, 120), only=("floor",))
+seen = []
+with Walk(plan, Assets(), "osmesa") as walk:
+    drawn = walk._panel.draw
+    def noted(size, keys=False, message="", opacity=1.0, left=None, *rest, **more):
+        seen.append([keys, left is not None, message])
+        drawn(size, keys, message, opacity, left, *rest, **more)
+    walk._panel.draw = noted
+    for key in (glfw.KEY_H, glfw.KEY_I, glfw.KEY_I, glfw.KEY_H, glfw.KEY_L, glfw.KEY_H,
+                glfw.KEY_L, glfw.KEY_H, glfw.KEY_F5):
+        walk.hands.key(key, glfw.PRESS)
+        walk.hands.key(key, glfw.RELEASE)
+        walk.advance(walk.listen())
+        walk.draw()
+print(json.dumps(seen))
+"""
+
+
+def test_the_help_and_what_is_opened_beside_it_never_lie_over_each_other() -> None:
+    done = python(OVERLAYS, env=environment(LANG="C"))
+    assert done.status == 0, done.err
+    seen = json.loads(done.out)
+    shown = [(keys, left) for keys, left, _ in seen]
+    assert (True, True) not in shown
+    keys, left = (True, False), (False, True)
+    assert shown[:6] == [keys, left, (False, False), keys, left, keys]
+    assert seen[-1][2] == "nothing to save here"

@@ -10,7 +10,7 @@ State used: both matrices, GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting
 from collections.abc import Callable, Hashable, Sequence
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
 from framelens.base.fonts import font, writable
 from framelens.gl.seam import begin_pass, drawing, gl
@@ -22,6 +22,7 @@ READABLE = 14  # chosen: font size in pixels, times the scale of a display of hi
 LINES = 34  # chosen: lines of text that fill the window's height
 TINY = 6  # chosen: font size in pixels; where all keys do not fit otherwise, small text is better
 SPACING, CLOSE = 1.45, 1.2  # chosen: line heights of the keys, in font sizes
+MOST_LINES = 5  # chosen: of a message in a narrow window; a longer one is written smaller
 ROOMY = 30  # chosen: lines of SMALLEST in a window where the message has a place below the keys
 MARGIN = 24  # chosen: heights of the message's margin that fill the window's height
 PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white text over white clouds
@@ -78,7 +79,14 @@ def keys_image(
 
 
 def line_image(text: str, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
-    """Render one line of text on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
+    """Render a text on a plate for a window of ``size`` pixels, uint8 (h, w, 4).
+
+    It is one line, or as many as a narrow window needs.
+    """
+    readable = max(text_size(size, dpi), min(READABLE, size[1] // LINES))
+    lines = wrapped(writable(text, font(readable)), font(readable), size[0] - 1.6 * readable)
+    if 1 < len(lines) <= MOST_LINES:
+        return _lines_image(lines, readable)
     for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
         face = font(pixels)
         text = writable(text, face)
@@ -90,11 +98,42 @@ def line_image(text: str, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray
     return np.asarray(image)
 
 
+def _lines_image(lines: Sequence[str], pixels: int) -> np.ndarray:
+    """Render centred lines on a plate, uint8 (h, w, 4)."""
+    face = font(pixels)
+    width = int(max(map(face.getlength, lines)) + 1.6 * pixels)
+    line = round(SPACING * pixels)
+    image = Image.new("RGBA", (width, line * len(lines) + round(0.4 * pixels)), PLATE)
+    draw = ImageDraw.Draw(image)
+    for k, text in enumerate(lines):
+        draw.text((width / 2, line * (k + 0.5) + 0.2 * pixels), text, WORDS, face, "mm")
+    return np.asarray(image)
+
+
+def wrapped(text: str, face: ImageFont.FreeTypeFont, width: float) -> list[str]:
+    """Return a text in lines of at most ``width`` pixels, broken at spaces."""
+    lines = [""]
+    for word in text.split(" "):
+        longer = f"{lines[-1]} {word}".strip()
+        if lines[-1] and face.getlength(longer) > width:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return lines
+
+
 def below_keys(size: tuple[int, int], dpi: float = 1.0) -> int:
     """Return the height in pixels left free for the message below the keys; 0 in a small window."""
     if size[1] < ROOMY * SMALLEST:
         return 0
     return size[1] // MARGIN + round(2.2 * text_size(size, dpi))
+
+
+def solid(image: np.ndarray) -> np.ndarray:
+    """Return an image, uint8 (h, w, 4), whose plate lets nothing show through."""
+    opaque = image.copy()
+    opaque[image[..., 3] > 0, 3] = 255
+    return opaque
 
 
 def padded(image: np.ndarray) -> np.ndarray:
@@ -165,12 +204,16 @@ class Panel:
         left: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
         cross: tuple[int, int, Callable[[], np.ndarray]] | None = None,
         bar: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
+        opaque: bool = False,
+        covered: int = 0,
     ) -> None:
         """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1.
 
         ``left`` is a picture at the left edge: what it depends on, and how to make it. ``cross`` is
         one of odd size with its middle at a pixel, counted from the top left. ``bar`` is one in the
-        middle of the lower edge, given as ``left`` is; the message is then above it.
+        middle of the lower edge, given as ``left`` is; the message is then above it. ``opaque``
+        lets nothing show through the picture at the left. The message stays above the lowest
+        ``covered`` rows.
         """
         if not keys and not message and left is None and bar is None:
             return
@@ -187,16 +230,19 @@ class Panel:
                 low = size[1] - 1 - cross[1] - plate.height // 2
                 plate.draw(cross[0] - plate.width // 2, low, 1.0)
 
-            covered = below_message = 0
+            beside = below_message = 0
             if bar is not None and not keys:
                 plate = self._plate("bar", *bar)
                 plate.draw((size[0] - plate.width) // 2, size[1] // (3 * MARGIN), 1.0)
                 below_message = plate.height
 
             if left is not None:
-                plate = self._plate("left", (left[0], size), left[1])
+                make = left[1]
+                plate = self._plate(
+                    "left", (left[0], size, opaque), lambda: solid(make()) if opaque else make()
+                )
                 plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
-                covered = size[1] // 48 + plate.width
+                beside = size[1] // 48 + plate.width
 
             if keys:
                 below = below_keys(size, self.dpi)
@@ -209,9 +255,10 @@ class Panel:
                 line = message, size, self.dpi
                 plate = self._plate("line", line, lambda: line_image(*line))
                 # In the middle of what the picture at the left leaves free, if it fits there.
-                middle = (size[0] + covered - plate.width) // 2
+                middle = (size[0] + beside - plate.width) // 2
                 x = max(min(middle, size[0] - plate.width), 0)
-                plate.draw(x, size[1] // MARGIN + below_message, opacity)
+                lower = size[1] // MARGIN + max(below_message, covered)
+                plate.draw(x, max(min(lower, size[1] - plate.height), 0), opacity)
 
     def _plate(self, name: str, shows: Hashable, make: Callable[[], np.ndarray]) -> Plate:
         """Return the plate of a name; it is made again if it is to show something else."""

@@ -26,6 +26,8 @@ from landscape.geometry.height_field import HeightField
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import picture_quad
 
+MOST = 2  # chosen: in a window that is longer than so many times its other side, the map is not
+
 
 def place_on_map(x: float, z: float, size: float) -> tuple[float, float]:
     """Return where (x, z) in units is on the map, -1..1 to the right and up (section 9.2)."""
@@ -86,11 +88,15 @@ class Map(Element[Settings]):
         x, y = place_on_map(frame.pose.x, frame.pose.z, self.settings.ground.size)
         groups = gl.GL_ENABLE_BIT | gl.GL_VIEWPORT_BIT | gl.GL_CURRENT_BIT | gl.GL_POINT_BIT
         with attrib(groups | gl.GL_COLOR_BUFFER_BIT), flat_projection(-1, 1, -1, 1, 0.1, 2):
-            gl.glViewport(0, 3 * height // 4, width // 4, height // 4)
+            wide, high = min(width, MOST * height) // 4, min(height, MOST * width) // 4
+            gl.glViewport(0, height - high if high < height // 4 else 3 * height // 4, wide, high)
             gl.glDisable(gl.GL_DEPTH_TEST)
             gl.glDisable(gl.GL_FOG)
             right, up = frame.detail.shift
-            gl.glTranslatef(right / (frame.size[0] / 8), up / (frame.size[1] / 8), 0.0)
+            across, down = frame.size
+            gl.glTranslatef(
+                right / (min(across, MOST * down) / 8), up / (min(down, MOST * across) / 8), 0.0
+            )
             self._list.call()
             gl.glColor4f(1.0, 1.0, 1.0, 1.0)
             point_size(5.0 * frame.detail.scale)

@@ -50,6 +50,12 @@ class Diggable(Protocol):
         It is for a window ``height`` pixels high.
         """
 
+    def covered(self, size: tuple[int, int]) -> int:
+        """Return how many rows at the lower edge of a window of ``size`` pixels show something.
+
+        That is something of the scene's own, which no message should hide.
+        """
+
     def saved(self) -> bytes:
         """Return the changed blocks, and on what land, as the content of a file."""
 

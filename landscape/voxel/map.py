@@ -36,6 +36,7 @@ MOST = 1024  # texels on each side, chosen: more would not be seen
 DEEP = 12  # chosen: blocks of water from which it has its darkest colour
 ARROW = ((0.0, 1.0), (0.6, -0.8), (0.0, -0.4), (-0.6, -0.8))
 OUTLINE, INSIDE = (0.09, (0.1, 0.05, 0.05)), (0.06, (1.0, 0.95, 0.85))  # sizes of 1 and colours
+INNER = 1.0 - OUTLINE[0]  # where the arrow is whole: beyond the map's border it waits at its edge
 
 
 def highest(blocks: np.ndarray) -> np.ndarray:
@@ -107,7 +108,9 @@ class Map(Element[Settings]):
             self._shows = self._land.version
         height = frame.viewport[1]
         side, gap = round(PART * height), round(GAP * height)
-        place = place_on_map(frame.pose.x, frame.pose.z, self._land.world.size)
+        place = np.clip(
+            place_on_map(frame.pose.x, frame.pose.z, self._land.world.size), -INNER, INNER
+        )
         groups = gl.GL_ENABLE_BIT | gl.GL_VIEWPORT_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
 
         with attrib(groups), flat_projection(-1, 1, -1, 1, 0.1, 2):

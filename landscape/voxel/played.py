@@ -20,6 +20,7 @@ from landscape.voxel.highlight import draw_crosshair, draw_highlight
 from landscape.voxel.land import Land
 from landscape.voxel.picking import Hit, picked, picked_through_water
 from landscape.voxel.settings import Settings
+from landscape.voxel.textures_view import covered
 from landscape.voxel.water_images import FLATTER
 from landscape.voxel.world import Cell
 from landscape.voxel.world_file import decoded, encoded, merged
@@ -32,8 +33,9 @@ WHY_NOT: Phrases = (
     "the bottom of the world",
     "nothing can be built higher",
     "a plant needs something to stand on",
+    "too far",
 )
-EDGE, BOTTOM, TOP, ROOT = WHY_NOT
+EDGE, BOTTOM, TOP, ROOT, FAR = WHY_NOT
 # Settings of voxel. Into which regions the columns are divided does not matter.
 MADE_FROM = ("levels", "sea", "trees", "buildings")
 
@@ -91,7 +93,7 @@ class Played:
         """Dig, place or pick; return why that is impossible, or ""."""
         hit = self.aimed_at(pose)
         if hit is None:
-            return ""
+            return FAR
         if tool == "pick":
             self._pick(int(self.land.world.blocks[hit.block]))
             return ""
@@ -157,6 +159,10 @@ class Played:
         self._icons = self._icons or Icons(self._assets)
         shows = self._icons, tuple(self.slots), self.slot, height, language
         return shows, lambda: bar_image(*shows)
+
+    def covered(self, size: tuple[int, int]) -> int:
+        """Return how many rows of a window the textures of the passes cover from its lower edge."""
+        return covered(size) if self.settings.debug.textures else 0
 
     def _made_from(self) -> dict[str, object]:
         """Return all that the land without changes depends on."""

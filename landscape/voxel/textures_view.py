@@ -26,6 +26,12 @@ BEHIND = (0.08, 0.10, 0.13)  # chosen: beside a picture that is shown alone
 EYE_DEPTHS = 512  # texels, chosen: side of the picture of what the eye sees
 
 
+def covered(size: tuple[int, int]) -> int:
+    """Return how high the row of pictures reaches in a window of ``size`` pixels, in pixels."""
+    width, height = size
+    return round(ABOVE * width + ((1.0 - MARGIN) / len(PICTURES) - MARGIN) * height)
+
+
 class TexturesView:
     """The pictures along the lower edge; owner of the depths that the eye sees."""
 

@@ -302,22 +302,29 @@ class Walk:
             self._note = self._note if done else self._word("no_monitor")
             self.hands.capture(self.hands.captured)
         elif order == "inspector":
+            self._close_help()
             letter = self.hands.keymap.labels("inspector", self._language, system_name)
             self.hands.inspecting = self.inspection.toggle(self._language, letter)
             if self.hands.captured:
                 self.obey("release")
         elif order == "preferences":
+            self._close_help()
             self.wishes.toggle()
             self.hands.choosing = self.wishes.open
             if not self.wishes.open:
                 self._keep()
         elif order == "save":
-            self._note = self._builder.save() or self._note
+            self._note = self._builder.save(self.place.scene)
         else:
             captured = not self.hands.captured if order == "mouse" else order == "capture"
             # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
             hide_cursor(self.window, captured and self.place.settings.walk.mouse_relative)
             self.hands.capture(captured)
+
+    def _close_help(self) -> None:
+        """Close the list of keys, which would hide what is opened."""
+        if self._help:
+            self.hands.switch("help")
 
     def _inspect(self, scale: float) -> bool:
         """Give the inspector its keys and the mouse; return whether it stops the walk."""
@@ -419,6 +426,8 @@ class Walk:
 
     def _change(self, tick: Tick) -> None:
         """Show the list with its chosen row, and make the changes that were asked for there."""
+        if tick.row and not self._row:
+            self._help = False  # it would hide the list
         if tick.row != self._row:
             self._row, self._done = tick.row, ""
         if not tick.changes:
@@ -491,7 +500,27 @@ class Walk:
         left = max(self._until - self.seconds - self._stood, 0.0)
         message, opacity = self._message if left else "", min(left / FADE, 1.0)
         cross, bar = self.inspection.cross(), self._builder.bar(scene, self._size)
-        self._panel.draw(self._size, self._help, message, opacity, self._at_left(), cross, bar)
+        at_left = self._at_left()
+        if self._help:
+            at_left = cross = None  # neither could be read over the other
+        self._panel.draw(
+            self._size,
+            self._help,
+            message,
+            opacity,
+            at_left,
+            cross,
+            bar,
+            opaque=self._shows_map(),
+            covered=self._builder.covered(scene, self._size),
+        )
+
+    def _shows_map(self) -> bool:
+        """Whether the map is drawn, which would show through a list."""
+        settings = self.place.settings
+        known = "overlay.map" in declare.fields(type(settings))
+        shown = "map" in self.place.scene.shown
+        return shown and known and declare.get(settings, "overlay.map") is True
 
     def pixels(self) -> np.ndarray:
         """Return the frame drawn but not yet presented, uint8 (h, w, 3), top row first."""

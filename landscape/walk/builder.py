@@ -164,16 +164,28 @@ class Builder:
             self._changes, self._unsaved = scene.changes, self._unsaved or 1e-9
         if self._unsaved:
             self._unsaved += seconds
-        return self.save() if self._unsaved > AUTOSAVE else ""
+        return self._save() if self._unsaved > AUTOSAVE else ""
 
-    def save(self) -> str:
-        """Save the world; return what to say of it, or ""."""
+    def save(self, scene: object) -> str:
+        """Save the world, as the user asks for; return what to say of it."""
+        if not isinstance(scene, Diggable):
+            return words.text(self._language, "world.none")
+        if self._file is None:
+            return words.text(self._language, "world.no_file")
+        return self._save() or words.text(self._language, "world.unchanged")
+
+    def _save(self) -> str:
+        """Save the world if there is anything new; return what to say of it, or ""."""
         self._unsaved = 0.0
         try:
             done = self._file and self._scene and self._file.save(self._scene)
         except InputError as error:
             return said(error, self._language)
         return words.text(self._language, "world.saved") if done else ""
+
+    def covered(self, scene: object, size: tuple[int, int]) -> int:
+        """Return how many rows at a window's lower edge show something that no message may hide."""
+        return scene.covered(size) if isinstance(scene, Diggable) else 0
 
     def leave(self) -> None:
         """Save the world at the end of the walk; InputError if that is impossible."""

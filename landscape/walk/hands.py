@@ -129,6 +129,10 @@ class Hands:
             to = self.orders if order else self._switches
             to.append(WITH_SHIFT.get(name, name) if mods & glfw.MOD_SHIFT else name)
 
+    def switch(self, name: str) -> None:
+        """Note a switch as if its key were pressed."""
+        self._switches.append(name)
+
     def _pick(self, picked: str) -> None:
         self.picks.append(picked)
         if picked == "list":

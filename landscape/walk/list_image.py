@@ -3,10 +3,10 @@
 from functools import lru_cache
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw
 
 from framelens.base.fonts import font, writable
-from framelens.inspector.panel import KEYS, PLATE, SMALLEST, TITLE, WORDS, text_size
+from framelens.inspector.panel import KEYS, PLATE, SMALLEST, TITLE, WORDS, text_size, wrapped
 from landscape.walk.settings_list import Line, Page
 
 SIZE = 0.8  # chosen: of the panel's text, so that the list leaves most of the picture free
@@ -15,18 +15,6 @@ WIDEST = 0.48  # chosen: of the window's width
 LEAST = 12  # chosen: pixels, the list's font size unless the window's text is smaller still
 CHOSEN = (88, 84, 58, 225)  # chosen: RGBA behind the chosen row
 DEFAULT = (165, 175, 180)  # chosen: RGB of the preset's value, and of rows without effect
-
-
-def wrapped(text: str, face: ImageFont.FreeTypeFont, width: float) -> list[str]:
-    """Return a text in lines of at most ``width`` pixels, broken at spaces."""
-    lines = [""]
-    for word in text.split(" "):
-        longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and face.getlength(longer) > width:
-            lines.append(word)
-        else:
-            lines[-1] = longer
-    return lines
 
 
 def visible(lines: tuple[Line, ...], count: int) -> tuple[int, int]:

@@ -9,8 +9,8 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from framelens.base.fonts import font, monospaced, writable
+from framelens.inspector.panel import wrapped
 from landscape.course.lecture.plan import in_texts
-from landscape.walk.list_image import wrapped
 
 # Of the window's height: the largest and the smallest letters of a caption, chosen so that the
 # smallest can be read from the back row.
