@@ -50,6 +50,7 @@ COMMANDS = {
     "places": "save where trees, deer and plants stand to a file",
     "bench": "measure frames, grass and startup",
     "film": "draw a film",
+    "sound": "write what there is to hear in a view, as a WAV file",
     "settings": "list the settings: all, or some",
     "doctor": "report which OpenGL backends work here",
 }

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from framelens.gl.seam import drawing, gl
-from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings import Camera, Clock, Fog, Sound, Sun, Walk
 from landscape.frame import Pose
 from landscape.geometry.obstacles import Tower
 from landscape.scene.scene import Scene, View, begin_frame
@@ -20,6 +20,7 @@ class Board:
 class Settings:
     camera: Camera = Camera()
     clock: Clock = Clock()
+    sound: Sound = Sound()
     walk: Walk = Walk()
     sun: Sun = Sun()
     fog: Fog = Fog()

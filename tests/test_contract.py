@@ -83,7 +83,7 @@ ISLAND_VARIANTS: dict[str, Changes] = {
     "no fog": {"fog.enabled": False},
 }
 ISLAND_TOGETHER = (
-    ("camera", "clock", "walk", "time"),
+    ("camera", "clock", "walk", "sound", "time"),
     ("castle", "rabbit", "overlay"),
     ("sky", "dragon", "grass"),
     ("sun", "shading"),

@@ -393,6 +393,9 @@ BY_THE_WINDOW = {
     "walk.swim": "is seen where there is deep water",
     "walk.solid": "is seen where there are trees: see test_island.py",
     "walk.jump": "is seen by one who jumps: see test_walker.py",
+    "sound.volume": "is heard: see test_sound.py",
+    "sound.muted": "is heard: see test_sound.py",
+    "sound.captions": "is seen in the window: see test_sound_walk.py",
 }
 
 

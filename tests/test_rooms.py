@@ -33,6 +33,7 @@ LANDSCAPE = (
     ("gl",),
     ("elements",),
     ("elements.best",),
+    ("sound",),
     ("scene",),
     ("island", "hall", "voxel"),
     ("offscreen",),

@@ -29,6 +29,7 @@ from landscape.hall.room import Room
 from landscape.hall.safeguards import SAFEGUARDS
 from landscape.hall.settings import PRESETS, Settings
 from landscape.hall.shafts import Shafts
+from landscape.hall.sounds import hall_sounds
 from landscape.hall.statue import Statue
 from landscape.hall.tone import Tone
 from landscape.hall.torches import Torches
@@ -359,4 +360,5 @@ SCENE = SceneOf(
     ),
     # All of it is drawn, finely; its walls are always solid, and its pool is too small to swim in.
     unread=("camera.cull", "camera.lod_pixels", "walk.solid", "walk.swim"),
+    sounds=hall_sounds,
 )

@@ -6,7 +6,7 @@ A safeguard is a setting that is on: turned off, it shows the artefact that it p
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings import Camera, Clock, Fog, Sound, Sun, Walk
 from landscape.elements.settings.units import UNITS
 from landscape.hall import plan
 from landscape.hall.exhibits.settings import Exhibits
@@ -418,6 +418,7 @@ class Settings:
     camera: Camera = Camera(fov=66.0, far=40.0, cull=True)
     clock: Clock = Clock()
     walk: Walk = Walk(speed=0.35, mouse_relative=True, bob=0.003, solid=True, jump=True)
+    sound: Sound = Sound()
     # Chosen: in the south-east, so that the windows' light falls across the nave.
     sun: Sun = Sun(azimuth=103.0, elevation=30.0, diffuse=(1.0, 0.92, 0.78), ambient=(0.3,) * 3)
     fog: Fog = Fog(enabled=False)

@@ -48,6 +48,7 @@ from landscape.geometry.obstacle_grid import Obstacles
 from landscape.geometry.pockets import passable
 from landscape.island.fixes import FIXES
 from landscape.island.slots import CASTING, OTHERS, PLANTED, SLOTS
+from landscape.island.sounds import island_sounds
 from landscape.island.views import ALL, MAIN, VIEWS
 from landscape.scene.scene import SEED, Moment, SceneOf, begin_frame
 
@@ -363,4 +364,5 @@ SCENE = SceneOf(
     overlay=("sword", "map"),
     title="the island",
     slots=SLOTS,
+    sounds=island_sounds,
 )

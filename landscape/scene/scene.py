@@ -25,13 +25,14 @@ from framelens.base.errors import InputError, listed, short
 from framelens.gl.seam import frame_begins, gl
 from landscape.elements import fog, sun
 from landscape.elements.element import Slot
-from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings import Camera, Clock, Fog, Sound, Sun, Walk
 from landscape.files.assets import Assets
 from landscape.frame import FULL, Detail, Frame, Pose, scaled
 from landscape.geometry.obstacle_grid import Obstacles
 from landscape.settings import declare
 from landscape.settings import notices as conditions
 from landscape.settings.declare import Toggle, Value
+from landscape.sound.soundscape import STONY, Soundscape
 
 SEED = 2006  # chosen: the year of the report
 CLOSE = 4  # chosen: how many names like a wrong one an error lists
@@ -59,6 +60,10 @@ class SceneSettings(Protocol):
     @property
     def walk(self) -> Walk:
         """How the walker moves."""
+
+    @property
+    def sound(self) -> Sound:
+        """How loud a walk is."""
 
 
 Values = TypeVar("Values", bound=SceneSettings)  # a scene's own settings
@@ -188,7 +193,8 @@ class SceneOf(Generic[Values]):
     """What a scene with settings of a class brings; nothing of it needs OpenGL until it is opened.
 
     ``settings`` is an instance of the scene's settings class with the defaults (see
-    :mod:`landscape.settings.declare`); it must have the groups ``camera``, ``clock`` and ``walk``.
+    :mod:`landscape.settings.declare`); it must have the groups ``camera``, ``clock``, ``walk`` and
+    ``sound``.
     ``presets`` map a name to differences from it, ``preset`` is the default one. ``start`` names
     the view where a walk begins, ``main`` the views that are measured when none is named. ``open``
     builds the elements: ``open(settings, assets, seed, only)``. ``terrain`` answers heights without
@@ -199,6 +205,7 @@ class SceneOf(Generic[Values]):
     and builds in it (geometry/digging.py). ``baked`` names settings that an open scene takes only
     roughly, which is enough for a walk. ``slots`` are the places that several classes may fill.
     ``unread`` names settings of the groups it shares with others that have no effect in it.
+    ``sounds`` says what there is to hear, of its settings and its terrain, be it an open scene.
     """
 
     name: str
@@ -221,6 +228,7 @@ class SceneOf(Generic[Values]):
     baked: tuple[str, ...] = ()
     slots: tuple[Slot[Values], ...] = ()
     unread: tuple[str, ...] = ()
+    sounds: Callable[[Values, Terrain], Soundscape] = lambda settings, terrain: STONY
 
     def values(self, preset: str | None, *changes: Mapping[str, object]) -> Values:
         """Return the settings of a preset (None: the default) with changes; later ones override.

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from landscape.elements.settings import Camera, Clock, Fog, Sun, Walk
+from landscape.elements.settings import Camera, Clock, Fog, Sound, Sun, Walk
 from landscape.elements.settings.units import UNITS
 from landscape.settings.declare import Value, setting, word
 
@@ -260,6 +260,7 @@ class Settings:
     walk: Walk = Walk(
         eye=0.13, speed=0.48, run=2.0, mouse_relative=True, bob=0.004, swim=True, solid=True
     )
+    sound: Sound = Sound()
     sun: Sun = Sun(azimuth=128.0, elevation=42.0)
     fog: Fog = Fog(mode="exp2", density=0.037, color=(0.62, 0.76, 0.90), radial=True)
     voxel: Voxel = Voxel()

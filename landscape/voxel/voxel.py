@@ -37,6 +37,7 @@ from landscape.voxel.safeguards import SAFEGUARDS
 from landscape.voxel.settings import PRESETS, Settings
 from landscape.voxel.shadow_map import ShadowMap
 from landscape.voxel.sky import Sky
+from landscape.voxel.sounds import voxel_sounds
 from landscape.voxel.support import supported
 from landscape.voxel.textures_view import TexturesView
 from landscape.voxel.under_water import murk, sight
@@ -459,4 +460,5 @@ SCENE = SceneOf(
     baked=("time", "sun", "shadow.color", "voxel.slope"),
     # Regions have a switch of their own, ``voxel.cull``; blocks are always solid, and one jumps.
     unread=("camera.cull", "camera.lod_pixels", "walk.solid", "walk.jump"),
+    sounds=voxel_sounds,
 )

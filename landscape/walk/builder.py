@@ -115,6 +115,7 @@ class Builder:
         self._waits = {"dig": 0.0, "place": 0.0}
         self._scene: Diggable | None = None
         self._changes, self._unsaved = 0, 0.0
+        self.changed = {"dig": 0, "place": 0}  # how often blocks were changed by either tool
 
     def opened(self, scene: object) -> None:
         """Take note of the scene in which the walk begins; InputError if the file does not fit."""
@@ -138,7 +139,10 @@ class Builder:
         said = ""
         if isinstance(scene, Diggable):
             for tool in self._due(tick.intent, tick.seconds):
+                before = scene.changes
                 refused = scene.use(tool, walker.pose, walker.body)
+                if tool in self.changed:
+                    self.changed[tool] += scene.changes != before
                 said = translator(self._language, "scenes")(refused) if refused else said
         return self._saved(scene, tick.seconds) or said
 

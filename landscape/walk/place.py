@@ -18,6 +18,7 @@ from landscape.geometry.flown import Flown
 from landscape.scene.scene import Fix, Moment, OpenScene, Scene, SceneSettings, scene
 from landscape.settings import declare
 from landscape.settings.declare import Value
+from landscape.sound.soundscape import Soundscape
 from landscape.walk.collisions import Surroundings, reachable, solid
 from landscape.walk.escape import moved
 from landscape.walk.list_image import list_image
@@ -36,6 +37,7 @@ class Place:
         self.chooser = Chooser(self._defaults)
         self._fix = 0
         self._scene: OpenScene | None = None
+        self._sounds: tuple[tuple[OpenScene, SceneSettings], Soundscape] | None = None
 
     @property
     def scene(self) -> OpenScene:
@@ -52,6 +54,13 @@ class Place:
         changes = scene.changes if isinstance(scene, Diggable) else 0
         eye = scene.eye(moment.pose, moment.kt) if isinstance(scene, Flown) else moment.pose
         return self.settings, frozenset(scene.shown), changes, eye
+
+    def soundscape(self) -> Soundscape:
+        """Return what there is to hear in the open scene with its settings."""
+        made_of = self.scene, self.settings
+        if self._sounds is None or self._sounds[0] != made_of:
+            self._sounds = made_of, self.kind.sounds(self.settings, self.scene)
+        return self._sounds[1]
 
     @property
     def is_open(self) -> bool:
@@ -125,7 +134,7 @@ class Place:
         """Release the scene; may be called twice."""
         if self._scene is not None:
             self._scene.release()
-        self._scene = None
+        self._scene = self._sounds = None
 
 
 class Places:

@@ -20,6 +20,7 @@ from landscape.elements.settings.presets import BEST, PRESETS, TIMES
 from landscape.elements.settings.rabbit import Rabbit
 from landscape.elements.settings.reflection import Reflection
 from landscape.elements.settings.sky_box import Sky
+from landscape.elements.settings.sound import Sound
 from landscape.elements.settings.sun import Shading, Sun
 from landscape.elements.settings.transparent_elements import Deer, Plants, Transparent, Trees
 from landscape.elements.settings.walk import Clock, Walk
@@ -47,6 +48,7 @@ __all__ = [
     "Settings",
     "Shading",
     "Sky",
+    "Sound",
     "Sun",
     "Transparent",
     "Trees",
@@ -75,6 +77,7 @@ class Settings:
     camera: Camera = Camera()
     clock: Clock = Clock()
     walk: Walk = Walk()
+    sound: Sound = Sound()
     sun: Sun = Sun()
     shading: Shading = Shading()
     ground: Ground = Ground()
