@@ -206,6 +206,7 @@ class Panel:
         bar: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
         opaque: bool = False,
         covered: int = 0,
+        right: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
     ) -> None:
         """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1.
 
@@ -213,9 +214,10 @@ class Panel:
         one of odd size with its middle at a pixel, counted from the top left. ``bar`` is one in the
         middle of the lower edge, given as ``left`` is; the message is then above it. ``opaque``
         lets nothing show through the picture at the left. The message stays above the lowest
-        ``covered`` rows.
+        ``covered`` rows. ``right`` is a picture at the right
+        edge, above the lowest fifth of the window.
         """
-        if not keys and not message and left is None and bar is None:
+        if not keys and not message and left is None and bar is None and right is None:
             return
         begin_pass("overlay")
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
@@ -243,6 +245,10 @@ class Panel:
                 )
                 plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
                 beside = size[1] // 48 + plate.width
+
+            if right is not None and not keys:
+                plate = self._plate("right", *right)
+                plate.draw(size[0] - plate.width - size[1] // 48, size[1] // 5, 1.0)
 
             if keys:
                 below = below_keys(size, self.dpi)

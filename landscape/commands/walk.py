@@ -29,6 +29,7 @@ ALONG = (
 )
 REPLAY = "replay a recorded walk; `tour` is the one that comes with the program"
 FRESH = "without your preferences, which F2 in the walk changes and keeps"
+MUTE = "begin without sound, as sound.muted=on; U switches it"
 # The options that are arguments of the walk.
 PASSED_ON = (
     "size",
@@ -65,6 +66,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     language_option(parser, "language of the window")
 
     parser.add_argument("--fresh", action="store_true", help=FRESH)
+    parser.add_argument("--mute", action="store_true", help=MUTE)
 
     # Files that it reads and writes.
     edits_option(parser)
@@ -117,6 +119,8 @@ def run(options: argparse.Namespace) -> int:
     language = options.lang or wishes.language or choose(os.environ)
     notify(options, [said(message, language) for message in wrong])
     given = given_changes(options, kind)
+    if options.mute:
+        given = {**given, "sound.muted": True}
     if options.replay is None:
         only = kind.shown(begin) if options.only is None else options.only
         standing = replace(begin, shown=())

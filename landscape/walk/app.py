@@ -31,6 +31,7 @@ from landscape.walk import pad, words
 from landscape.walk.builder import SWITCHES, Builder, WorldFile
 from landscape.walk.digits import help_rows, hint, pressed
 from landscape.walk.hands import Hands
+from landscape.walk.hearing import Hearing, captioned, heard
 from landscape.walk.keys import SETTINGS
 from landscape.walk.list_image import list_image
 from landscape.walk.pad import Pad, PadState, steered
@@ -40,6 +41,7 @@ from landscape.walk.preferences_list import PreferencesList
 from landscape.walk.recording import MAX_SECONDS, Plan, Tick
 from landscape.walk.screen import FrameRate, FullScreen, hide_cursor, save_screenshot
 from landscape.walk.sizes import Resizer, check_viewport
+from landscape.walk.speaker import Speaker
 from landscape.walk.steady import Steady
 from landscape.walk.walker import Intent, aimed, start
 
@@ -67,12 +69,14 @@ class Walk:
         context: GLFWContext | None = None,
         world: WorldFile | None = None,
         preferences: Preferences | None = None,
+        speaker: Callable[[], Speaker] | None = None,
     ) -> None:
         """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
 
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
         ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed;
-        ``preferences`` are the user's keys, mouse and comfort.
+        ``preferences`` are the user's keys, mouse and comfort; ``speaker`` opens what the sound
+        comes from, None for a walk without a device.
         """
         self.headless = backend in (*HEADLESS, "headless")
         self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
@@ -98,6 +102,7 @@ class Walk:
         self.wishes = PreferencesList(preferences or Preferences())
         self._heed(self.wishes.preferences)
         self._builder = Builder(world, plan.language)
+        self.hearing = Hearing(speaker)
         self._panel: Panel | None = None
         self.steady = Steady(fps)
         self._context: GLFWContext | None = context or GLFWContext(
@@ -363,6 +368,16 @@ class Walk:
             self._say(self._word("let_out"))
         self._size = tick.size
         self._try_doors(tick.intent)
+        self._hear()
+
+    def _hear(self) -> None:
+        """Let the walker hear this frame, and see in words what he hears if he wants to."""
+        shown = captioned(self.place.settings)
+        if shown or self.hearing.plays:
+            now = heard(self.place, self.walker, self.kt, self._builder)
+            self.hearing.hear(now, self.seconds, shown)
+        else:
+            self.hearing.forget()
 
     def _try_doors(self, intent: Intent) -> None:
         """Say where a door leads that the walker has come up to, or go through it."""
@@ -412,6 +427,8 @@ class Walk:
         elif SETTINGS[name] in declare.fields(type(self.place.settings)):
             value = declare.next_value(self.place.settings, SETTINGS[name])
             self._apply({SETTINGS[name]: value})
+            if name == "mute":
+                self._places.give({SETTINGS[name]: value})  # it is muted behind a door, too
             self._tell(name, value)
 
     def _apply(self, changes: Mapping[str, object]) -> None:
@@ -513,6 +530,7 @@ class Walk:
             bar,
             opaque=self._shows_map(),
             covered=self._builder.covered(scene, self._size),
+            right=self.hearing.picture(self._language, self._size, self._panel.dpi),
         )
 
     def _shows_map(self) -> bool:
@@ -540,7 +558,8 @@ class Walk:
         try:
             self._builder.leave()
         finally:
-            for owner in (self._panel, self.steady, self._places, self.place, self._context):
+            owners = self._panel, self.steady, self._places, self.place, self._context
+            for owner in (self.hearing, *owners):
                 if owner is not None:
                     owner.release()
             self._panel = self._context = None

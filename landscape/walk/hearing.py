@@ -1,8 +1,10 @@
-"""What a walker hears: at each frame from the walk to a score, and on to the speaker and the captions.
+"""What a walker hears: at each frame from the walk to a score, and on to the speaker and the
+captions.
 
 Recordings contain no sound: it follows from the walk, as pictures do.
 """
 
+import time
 from collections.abc import Callable, Hashable
 from threading import Thread
 
@@ -56,16 +58,23 @@ class Hearing:
         self._played = 0  # quanta that were written to the speaker
         self._captions = Score()
         self._lines: tuple[Line, ...] = ()
+        self._last = time.perf_counter()
 
     @property
     def lines(self) -> tuple[Line, ...]:
         """What is heard, in words."""
         return self._lines
 
-    def hear(self, now: Heard, seconds: float, lasted: float, captioned: bool) -> None:
-        """Take note of a frame, ``seconds`` after the walk began; the last one ``lasted`` so long."""
+    @property
+    def plays(self) -> bool:
+        """Whether there is a device, or may be one."""
+        return self._speaker is not None or self._open is not None
+
+    def hear(self, now: Heard, seconds: float, captioned: bool) -> None:
+        """Take note of a frame, ``seconds`` after the walk began; ``captioned``: in words, too."""
+        last, self._last = self._last, time.perf_counter()
         speaker = self._ready(now)
-        if speaker is not None and (wanted := speaker.wanted(lasted)):
+        if speaker is not None and (wanted := speaker.wanted(self._last - last)):
             end = self._played + wanted
             self._score.add(end * QUANTUM / RATE, now)
             speaker.write(mix(self._score, self._played * QUANTUM, wanted * QUANTUM))
@@ -75,13 +84,20 @@ class Hearing:
             self._captions.add(seconds, now)
             self._captions.forget(round((seconds - KEPT) * RATE / QUANTUM))
             self._lines = lines(now, self._captions.events, seconds)
-        elif self._lines or self._captions.keys:
+        else:
+            self.forget()
+
+    def forget(self) -> None:
+        """Show nothing in words."""
+        if self._lines or self._captions.keys:
             self._captions, self._lines = Score(), ()
 
     def _ready(self, now: Heard) -> Speaker | None:
         """Return the speaker if there is one; the first sounds are made or read beside the walk."""
         if self._open is None or self._speaker is not None:
             return self._speaker
+        if now.volume == 0.0:  # a walk that begins muted opens no device
+            return None
         if self._preparing is None:
             self._preparing = Thread(target=now.soundscape.prepare, daemon=True)
             self._preparing.start()
@@ -97,7 +113,7 @@ class Hearing:
     def picture(
         self, language: str, size: tuple[int, int], dpi: float
     ) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
-        """Return what the captions' picture depends on, and how to make it; None if there are none."""
+        """Return what the captions' picture depends on, and how to make it; None without any."""
         if not self._lines:
             return None
         texts = tuple(

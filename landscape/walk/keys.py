@@ -55,6 +55,7 @@ BINDINGS = (
     Binding("reflection", letter="R", setting="reflection.enabled"),
     Binding("sorting", letter="T", setting="transparent.sorted"),
     Binding("time", letter="P", setting="time"),
+    Binding("mute", letter="U", setting="sound.muted"),
     Binding("wireframe", letter="X"),
     Binding("next_fix", letter="N"),
     Binding("fix", letter="V"),

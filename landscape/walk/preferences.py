@@ -39,6 +39,8 @@ class Preferences:
     field_of_view: float = 0.0
     reduced_motion: bool = False
     text_size: float = 1.0
+    volume: float = 1.0
+    captions: bool = False
     language: str = ""
     fullscreen: bool = False
     keys: Keymap = field(default_factory=Keymap)
@@ -52,11 +54,20 @@ class Preferences:
         wanted = dict(STILL) if self.reduced_motion else {}
         if self.field_of_view:
             wanted["camera.fov"] = self.field_of_view
+        if self.volume != 1.0:
+            wanted["sound.volume"] = self.volume
+        if self.captions:
+            wanted["sound.captions"] = "on"
         known = declare.fields(kind)
         return {key: value for key, value in wanted.items() if key in known}
 
 
-LIMITS = {"mouse_speed": (0.1, 10.0), "field_of_view": (40.0, 100.0), "text_size": (1.0, 2.0)}
+LIMITS = {
+    "mouse_speed": (0.1, 10.0),
+    "field_of_view": (40.0, 100.0),
+    "text_size": (1.0, 2.0),
+    "volume": (0.0, 4.0),
+}
 """Least and greatest value; a field of view of 0 is each view's own."""
 COMMENTS = {
     "mouse_speed": Message("times the usual speed of the mouse, 0.1 to 10"),
@@ -64,6 +75,8 @@ COMMENTS = {
     "field_of_view": Message("vertical, in degrees, 40 to 100; 0: that of each view"),
     "reduced_motion": Message("true: no bob at each step, and plants that do not sway"),
     "text_size": Message("of help, messages and lists: 1 to 2"),
+    "volume": Message("of the sound, 0 to 4; 1 is the usual one"),
+    "captions": Message("true: what is heard is shown in words, too"),
     "language": Message('"en" or "fr"; "": that of the system'),
     "fullscreen": Message("true: begin with a full screen"),
 }

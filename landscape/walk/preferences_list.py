@@ -19,7 +19,7 @@ from landscape.walk.settings_list import Line, Page, written
 
 VALUES = tuple(COMMENTS)
 ROWS = (*VALUES, *ACTIONS)
-STEPS = {"mouse_speed": 0.1, "field_of_view": 5.0, "text_size": 0.25}
+STEPS = {"mouse_speed": 0.1, "field_of_view": 5.0, "text_size": 0.25, "volume": 0.25}
 PAGE_ROWS = 8  # chosen: rows that Page Up and Page Down go
 
 

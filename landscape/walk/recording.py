@@ -40,6 +40,7 @@ ACTIONS = (
     "reflection",
     "sorting",
     "time",
+    "mute",
     "help",
     "next_fix",
     "previous_fix",

@@ -22,6 +22,7 @@ from landscape.walk.loop import run
 from landscape.walk.pace import FPS
 from landscape.walk.preferences import Preferences
 from landscape.walk.recording import Plan, Writer, read
+from landscape.walk.speaker import Speaker
 
 SIZE = (1280, 720)  # chosen: window coordinates
 
@@ -116,7 +117,16 @@ def walk(
         if preferences is not None and replay is None:
             fullscreen = fullscreen or preferences.fullscreen
         options = backend, fullscreen, kept_rate, enlarged, changes
-        with Walk(plan, assets, *options, world=kept_world, preferences=preferences) as opened:
+        # Who asks for a number of frames does not listen.
+        speaker = Speaker if frames is None and backend not in HEADLESS else None
+        with Walk(
+            plan,
+            assets,
+            *options,
+            world=kept_world,
+            preferences=preferences,
+            speaker=speaker,
+        ) as opened:
             course = None
             if environment is not None:
                 course = Course(environment, opened.place.scene, settings, plan.language)

@@ -1,12 +1,12 @@
 """The speaker: sound from the walk to the device, by miniaudio (the extra ``sound``).
 
-The device asks for samples in a thread of its own, which must not wait: for Python's lock it waits at
-most a few milliseconds, and there it only copies what lies ready in a ring. The walk fills the ring, at
-each frame as far ahead as the last frame was long and AHEAD more. Where a frame took longer than that,
-the sound fades out and in again, without a click.
+The device asks for samples in a thread of its own, which must not wait: for Python's lock it waits
+at most a few milliseconds, and there it only copies what lies ready in a ring. The walk fills the
+ring, at each frame as far ahead as the last frame was long and AHEAD more. Where a frame took
+longer than that, the sound fades out and in again, without a click.
 
-No device is a normal state: a computer without a sound card, or without miniaudio, walks in silence,
-and nothing is said about it.
+No device is a normal state: a computer without a sound card, or without miniaudio, walks in
+silence, and nothing is said about it.
 """
 
 import os
@@ -129,7 +129,7 @@ class Speaker:
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Keep the libraries of sound systems from writing to standard error: they list what is missing.
+    """Keep the libraries of sound systems from listing on standard error what is missing.
 
     They write to the file descriptor itself, past Python.
     """

@@ -42,6 +42,7 @@ DOCUMENTS = (
     "docs/course.md",
     "docs/notebooks.md",
     "docs/films.md",
+    "docs/sound.md",
     "docs/exercises.md",
     "docs/assets.md",
     "docs/performance.md",

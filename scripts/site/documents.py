@@ -19,7 +19,7 @@ TEACHING = (
 TOOLS = ("frame", "gate", "programs", "black", "why", "films")  # how the frame is laid open
 BUILT = (
     *("reading", "documents", "errata", "performance"),
-    *("voxels", "flyover", "environments", "assets"),
+    *("voxels", "sound", "flyover", "environments", "assets"),
 )
 ALL = (*TEACHING, *TOOLS, *BUILT)
 

@@ -13,7 +13,14 @@ class Sound:
 
     NEEDS: ClassVar[tuple[str, ...]] = WALKING
 
-    volume: float = setting(1.0, "chosen", "how loud it is; 1 leaves 14 dB of headroom", 0, 8, unit="times the usual amplitude")
+    volume: float = setting(
+        1.0,
+        "chosen",
+        "how loud it is; 1 leaves 14 dB of headroom",
+        0,
+        8,
+        unit="times the usual amplitude",
+    )
     muted: bool = setting(False, "chosen", "no sound; a key switches it in a walk")
     captions: str = setting(
         "muted",
