@@ -172,8 +172,8 @@ def test_the_list_gives_an_action_the_next_key(language: str) -> None:
 
     pressed(wishes, glfw.KEY_ENTER, glfw.KEY_ESCAPE)
     assert wishes.open and wishes.preferences == Preferences()
-    pressed(wishes, glfw.KEY_ENTER, glfw.KEY_U)
-    assert wishes.preferences.keys.chosen == {"forward": (glfw.KEY_U,)}
+    pressed(wishes, glfw.KEY_ENTER, glfw.KEY_Y)
+    assert wishes.preferences.keys.chosen == {"forward": (glfw.KEY_Y,)}
     pressed(wishes, glfw.KEY_BACKSPACE)
     assert wishes.preferences == Preferences()
 
