@@ -148,6 +148,69 @@ def test_a_class_is_a_row_each_in_every_table(
         grade_class(found, Rules(points=10.0, again=True), due, executor=Here())
 
 
+# The attributes of each element of a JUnit report by its schema (Jenkins' junit-10.xsd), and
+# the elements that it may have inside; those that we write.
+JUNIT = {
+    "testsuites": (set(), {"testsuite"}),
+    "testsuite": (
+        {"name", "tests", "failures", "errors", "skipped", "time"},
+        {"testcase"},
+    ),
+    "testcase": ({"name", "classname"}, {"failure", "error", "skipped"}),
+    "failure": ({"message"}, set()),
+    "error": ({"message"}, set()),
+    "skipped": (set(), set()),
+}
+
+
+def test_junit_reports_are_as_their_schema_says_and_their_counts_are_right() -> None:
+    tests = [
+        {"name": "a", "passed": True, "hint": "", "points": 1.0, "hidden": False},
+        {"name": "b", "passed": False, "hint": "<why>", "points": 2.0, "hidden": False},
+        {"name": "c", "passed": None, "hint": "", "points": 1.0, "hidden": True},
+    ]
+    rows = [
+        Row("Ada", "1", "a.py", tests=tests, points=1.0, of=4.0),
+        Row("Bo", "2", "b.py", tests=tests, of=4.0, error="did not end"),
+        Row("Cy", "3", "c.py", error="no program"),
+    ]
+    root = ElementTree.fromstring(tables.as_junit(rows))
+    for element in root.iter():
+        attributes, inside = JUNIT[element.tag]
+        assert set(element.attrib) == attributes and {child.tag for child in element} <= inside
+    for suite in root:
+        counts = {
+            "tests": len(suite.findall("testcase")),
+            "failures": len(suite.findall("testcase/failure")),
+            "errors": len(suite.findall("testcase/error")),
+            "skipped": len(suite.findall("testcase/skipped")),
+        }
+        assert {name: int(suite.get(name, "")) for name in counts} == counts
+    assert [suite.get("tests") for suite in root] == ["3", "1", "1"]
+
+
+def test_gradescopes_results_have_only_its_own_fields() -> None:
+    tests = [
+        {"name": "a", "passed": True, "hint": "", "points": 1.0, "hidden": False},
+        {"name": "b", "passed": False, "hint": "why", "points": 2.5, "hidden": True},
+    ]
+    row = Row("Ada", "1", "a.py", tests=tests, points=1.0, of=3.5, hint="why", seconds=0.5)
+    result = json.loads(tables.as_gradescope(row))
+    assert set(result) <= {
+        *("score", "execution_time", "output", "output_format", "visibility"),
+        *("stdout_visibility", "extra_data", "tests", "leaderboard"),
+    }
+    for test in result["tests"]:
+        assert set(test) <= {
+            *("score", "max_score", "status", "name", "name_format", "number", "output"),
+            *("output_format", "tags", "visibility", "extra_data"),
+        }
+        assert test["status"] in ("passed", "failed")
+    assert [test["visibility"] for test in result["tests"]] == ["visible", "hidden"]
+    assert sum(test["score"] for test in result["tests"]) == result["score"] == row.points
+    assert sum(test["max_score"] for test in result["tests"]) == row.of
+
+
 def test_a_worksheet_changes_in_two_columns_and_nowhere_else() -> None:
     lines = [
         f"\ufeff{HEADERS}",

@@ -92,7 +92,9 @@ def gradings(found: Exercise) -> tuple[Grading, Grading | None]:
     """Return what an exercise looks at and tests, and the same of what students do not see."""
     hidden = found.folder / HIDDEN
     shown = read_grading(found.folder / "grading.py")
-    return shown, read_grading(hidden, hidden=True) if hidden.is_file() else None
+    if not hidden.is_file() or solution_of(found.folder) is None:
+        return shown, None  # what is recorded of a solution has none of the hidden frames
+    return shown, read_grading(hidden, hidden=True)
 
 
 class Grader:
@@ -138,7 +140,9 @@ class Grader:
         if found not in self._gradings:
             self._gradings[found] = gradings(found)
         shown, hidden = self._gradings[found]
-        tests = [*shown.tests, *(hidden.tests if hidden is not None else ())]
+        drawn, take = self._trial(found)
+        last = elsewhere(drawn)
+        tests = [*shown.tests, last, *(hidden.tests if hidden is not None else ())]
         error = _syntax(path)
         if error is not None:
             return Report(found, tests, error=error)
@@ -150,8 +154,6 @@ class Grader:
         if not isinstance(work, Evidence):
             return Report(found, tests, error=work, contained=self._sandbox.contained)
 
-        drawn, take = self._trial(found)
-        last = elsewhere(drawn)
         told, equal = None, False
         right = same_pictures(shown.tests, work, solution)
         if right:
@@ -167,8 +169,7 @@ class Grader:
 
         most = max(difference(work.frame(n), solution.frame(n)) for n in solution.frames)
         contained = self._sandbox.contained
-        made = [result.test for result in results]
-        return Report(found, made, results, most, None, work, solution, contained)
+        return Report(found, tests, results, most, None, work, solution, contained)
 
     def _trial(self, found: Exercise) -> tuple[Trial, int]:
         """Return a trial by chance; one that was recorded, and its number, without a solution."""
