@@ -187,3 +187,16 @@ def test_a_right_program_is_not_refused(
         assert isinstance(seen[-1], Evidence) and len(seen) == 2
         loops = [draw for draw in report.work.frame(0).draws if draw.mode == "GL_LINE_LOOP"]
         assert [len(draw.vertices) for draw in loops] == [3], "0x8074 is GL_VERTEX_ARRAY"
+
+
+def test_evidence_whose_draws_cannot_be_computed_ends_in_one_line(
+    grader: Grader, tmp_path: Path
+) -> None:
+    code = (exercise(NAME).folder / "solution.py").read_text(encoding="utf-8")
+    forgery = """
+import sys
+state = sys.modules["landscape.course.grader.witness"].state
+state.read = lambda: {"GL_FOG": True}
+"""
+    report = checked(grader, tmp_path, code.replace("import glfw\n", f"import glfw\n{forgery}"))
+    assert report.error is not None and report.error["word"] == "died"

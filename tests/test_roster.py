@@ -99,6 +99,23 @@ def test_a_zip_with_a_name_outside_of_itself_is_refused(name: str, tmp_path: Pat
         submissions([path])
 
 
+def test_a_zip_that_unpacks_to_too_much_is_refused_before_it_takes_the_memory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("landscape.course.roster.submissions.MOST_UNPACKED", 5000)
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("mine.py", " " * 3000)
+    said = "expected at most 0 MB of programs"
+    two = {"a/mine.py": " " * 3000, "b/mine.py": " " * 3000}
+    with pytest.raises(InputError, match=said):
+        submissions([zipped(tmp_path / "two.zip", two)])
+    nested = {"a/mine.py": " " * 3000, "b/work.zip": inner.getvalue(), "c/picture.png": " " * 9000}
+    found = submissions([zipped(tmp_path / "nested.zip", nested)])
+    assert [each.data is None for each in found] == [False, True, True]
+    assert said in str(found[1].error), "the third handed in no program"
+
+
 CLASS = {
     f"{FOLDER.format('Ada', 2)}/winding.py": solution("winding"),
     f"{FOLDER.format('Bo', 1)}/winding.py": solution("winding").replace(

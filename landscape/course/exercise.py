@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from framelens.base.errors import InputError
 from framelens.base.texts import Translator
 from landscape.course import solutions
@@ -319,7 +321,7 @@ def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence |
         answer = outcome.answer[0]
         if "error" in answer:
             return dict(answer["error"]) if known(answer["error"]) else died
-        return load(path, outcome.answer, frames)
+        return _sound(load(path, outcome.answer, frames))
     except (
         ArithmeticError,
         AttributeError,
@@ -329,3 +331,11 @@ def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence |
         ValueError,
     ):
         return died  # the program itself wrote into the file
+
+
+def _sound(found: Evidence) -> Evidence:
+    """Return evidence from which it can be computed what is drawn; else errors of Python."""
+    with np.errstate(all="ignore"):
+        for frame in found.frames.values():
+            len(frame.draws)
+    return found

@@ -9,7 +9,10 @@ import csv
 import hashlib
 import io
 import json
+import lzma
 import struct
+import warnings
+import zipfile
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,8 +26,15 @@ from PIL import Image
 from framelens.program.program_events import read_events
 from framelens.program.program_source import read_source
 from framelens.tape import edit_files
+from landscape.course.exercise import _evidence
+from landscape.course.grader import recorded, stream
+from landscape.course.grader.evidence import Evidence
+from landscape.course.grader.grading import same_drawing
+from landscape.course.grader.sandbox import Outcome
 from landscape.course.ladder import NAMES
 from landscape.course.lecture import plan
+from landscape.course.roster import moodle
+from landscape.course.roster.submissions import submissions
 from landscape.course.shelf import COURSE
 from landscape.elements.places_file import KINDS, MORE_COLUMNS, NEEDED, read_places
 from landscape.files import cache, svg_environment
@@ -410,6 +420,103 @@ def _read_places(path: Path) -> object:
     return read_places(path, field, set(KINDS))
 
 
+CALLS = {
+    "source": "x",
+    "calls": [
+        ["glFogf", 2914, 0.5],
+        ["glColor3fv", [1, 0.5, 0]],
+        ["glVertexPointer", {"offset": 4}],
+    ]
+    + [["glDrawPixels", 1, 1, {"array": 1, "type": "<f4", "shape": [2, 1]}, {"bytes": 1}]],
+    "takes": [
+        {
+            "size": [8, 6],
+            "frames": [0, 1],
+            "events": EVENTS,
+            "presses": {"1": {"A": 2}},
+            "made": [0, 0],
+        }
+    ],
+}
+
+
+def _sent(answer: Any, blobs: list[bytes]) -> bytes:
+    return b"".join(stream.parts(answer if isinstance(answer, dict) else {}, blobs))
+
+
+@st.composite
+def calls(draw: Any) -> bytes:
+    """Return a recorded solution."""
+    indices = draw(st.lists(st.integers(0, 4), max_size=9))
+    data = _sent(draw(spoiled(CALLS)), [np.array(indices, np.int32).tobytes(), bytes(8)])
+    return lzma.compress(data) if draw(st.booleans()) else data
+
+
+EVIDENCE = {
+    "frames": {"0": {"size": [4, 2], "pixels": 2, "calls": [0, [1, [7], {"state": 0}], 3]}},
+    "setup": [0, [2, [1], {"inside": [0], "way": [[3, "main"]]}]],
+    "sites": [["glVertex3f", 4, "main", True, 3], ["glBegin", 5, "main", True, 1]]
+    + [["glCallList", 6, "main", False, 1], ["glDrawArrays", 7, "main", True, 3]],
+    "numbers": {"of": 0, "values": 1},
+    "lists": [[0, [1, [4]], 2, [3, ["GL_TRIANGLES", 0, 3], {"arrays": [0], "state": 1}]]],
+    "pointers": [["glVertexPointer", [3, "GL_FLOAT", 0, [[0, 0, 0], [1, 0, 0], [0, 1, 0]]]]],
+    "states": [{"GL_FOG": True, "GL_VIEWPORT": [0, 0, 4, 2]}, {"GL_FOG": False}],
+    "early": None,
+    "made": 3,
+}
+
+
+@st.composite
+def evidence(draw: Any) -> bytes:
+    """Return what the process of a program sends to the grader."""
+    count = draw(st.integers(0, 9))
+    numbers = np.zeros(count, np.int32).tobytes(), np.arange(3.0 * count).tobytes()
+    made = _sent(CALLS, [bytes(4), bytes(8)])
+    return _sent(draw(spoiled(EVIDENCE)), [*numbers, bytes(24), made])
+
+
+def _read_evidence(path: Path) -> None:
+    """Do with evidence what the grader does before its tests, which may raise errors of Python."""
+    outcome = Outcome("a.py", stream.received(path.read_bytes()), "", "")
+    found = _evidence(path, outcome, [0])
+    if isinstance(found, Evidence):
+        same_drawing(found.frame(0), found.frame(0))
+        if found.made is not None:
+            recorded.parsed(found.made)
+
+
+@st.composite
+def zips(draw: Any) -> bytes:
+    """Return a zip of a class, with zips in it."""
+    names = st.sampled_from(["a.py", "b/c.py", "A B_12_assignsubmission_file/x.py", "../x.py"])
+    names |= st.sampled_from(["d/", "/e.py", "f.zip", "__MACOSX/a.py", "g/h/i.zip", "", "j\\k.py"])
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w") as archive:
+        archive.writestr("a.py", "# exercise: fog\n")
+    file = io.BytesIO()
+    with warnings.catch_warnings(), zipfile.ZipFile(file, "w") as archive:
+        warnings.simplefilter("ignore")  # of a name that is there twice
+        for name in draw(st.lists(names, max_size=5)):
+            content = draw(st.sampled_from([b"", b"# exercise: fog\n", inner.getvalue()]))
+            kind = draw(st.sampled_from([zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED]))
+            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content, kind)
+    return file.getvalue()
+
+
+@st.composite
+def worksheets(draw: Any) -> bytes:
+    """Return a grading worksheet of Moodle."""
+    header = draw(
+        st.sampled_from(["Identifier,Name,Grade,Feedback comments", "Id;Note", '"Grade"'])
+    )
+    rows = draw(st.lists(st.sampled_from(["Participant 12,A,,", '12,"a ""b""",-,"', "", ",,"])))
+    return "\n".join([header, *rows]).encode(draw(st.sampled_from(["utf-8", "utf-16"])))
+
+
+def _read_worksheet(path: Path) -> None:
+    moodle.filled(path.read_bytes(), {"12": moodle.Mark("3", 'good, "x"')}, str(path))
+
+
 READERS = {
     "world": Reader("a.world", worlds(), _read_world),
     "recording": Reader("a.jsonl", recordings(), recording.read),
@@ -425,5 +532,9 @@ READERS = {
     "ply": Reader("a.ply", meshes(), _read_mesh),
     "program": Reader("a.py", programs(), read_source),
     "submission": Reader("a.py", programs(), COURSE.named_in),
+    "class": Reader("a.zip", damaged(zips()), lambda path: submissions([path])),
+    "worksheet": Reader("a.csv", damaged(worksheets()), _read_worksheet),
+    "calls": Reader("solution.calls", damaged(calls()), recorded.read),
+    "evidence": Reader("a.evidence", damaged(evidence()), _read_evidence),
     "cache": Reader(f"{ENTRY}.arrays", entries(), cache._read),
 }

@@ -6,6 +6,8 @@ submission, too: its error says why.
 """
 
 import io
+import lzma
+import struct
 import zipfile
 import zlib
 from collections.abc import Iterator, Sequence
@@ -20,6 +22,14 @@ from landscape.course.shelf import MOST_BYTES
 
 MOST_ZIP_BYTES = 1 << 28  # chosen: of a zip of a class
 MOST_FILES = 20_000  # chosen: in a zip or a folder
+MOST_UNPACKED = 1 << 28  # bytes, chosen: of all programs in a zip or a folder, and in zips in it
+KINDS = (".py", ".zip")  # what is read
+# What zipfile raises, which has no common error: RuntimeError is for a password,
+# NotImplementedError for a method, ValueError for a file that begins before the zip does.
+UNREADABLE = (
+    *(zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, EOFError, OSError),
+    *(RuntimeError, NotImplementedError, ValueError, OverflowError),
+)
 # Of a zip's directory: names that are no student's, as the systems of their makers leave them.
 HIDDEN = "__MACOSX"
 
@@ -40,6 +50,24 @@ class Submission:
     error: InputError | None = None
 
 
+class _Room:
+    """How many bytes of programs may still be read of what the user names."""
+
+    def __init__(self, name: str) -> None:
+        self._name, self._left = name, MOST_UNPACKED
+
+    def take(self, data: bytes) -> bytes:
+        """Return the bytes; InputError if they are too many."""
+        self._left -= len(data)
+        if self._left < 0:
+            raise InputError(
+                "{name}: expected at most {amount} of programs",
+                name=self._name,
+                amount=f"{MOST_UNPACKED >> 20} MB",
+            )
+        return data
+
+
 def submissions(paths: Sequence[Path]) -> list[Submission]:
     """Return the submissions in files, folders and zips, in the order of their names.
 
@@ -47,11 +75,12 @@ def submissions(paths: Sequence[Path]) -> list[Submission]:
     """
     found: list[Submission] = []
     for path in paths:
+        room = _Room(str(path))
         if path.is_dir():
-            found += _students(_of_folder(path))
+            found += _students(_of_folder(path, room), room)
         elif path.suffix.lower() == ".zip":
             data = read_bounded(path, MOST_ZIP_BYTES)
-            found += _students(_of_zip(data, str(path)))
+            found += _students(_of_zip(data, str(path), room), room)
         else:
             data = read_bounded(path, MOST_BYTES)
             changed = datetime.fromtimestamp(path.stat().st_mtime)
@@ -68,7 +97,7 @@ File = tuple[PurePosixPath, bytes | None, datetime, InputError | None]
 """Its name below the folder or zip, what is in it, when it was changed, and why it is not read."""
 
 
-def _of_folder(folder: Path) -> Iterator[File]:
+def _of_folder(folder: Path, room: _Room) -> Iterator[File]:
     paths = sorted(folder.rglob("*"))
     if len(paths) > MOST_FILES:
         raise InputError("{folder}: expected at most {most} files", folder=folder, most=MOST_FILES)
@@ -77,9 +106,11 @@ def _of_folder(folder: Path) -> Iterator[File]:
         if path.is_dir():
             yield name / "", None, datetime.min, None
             continue
+        data = b""
         try:
             changed = datetime.fromtimestamp(path.stat().st_mtime)
-            yield name, read_bounded(path, MOST_BYTES), changed, None
+            if path.suffix.lower() in KINDS:
+                data = read_bounded(path, MOST_BYTES)
         except InputError as error:
             yield name, None, datetime.min, error
         except OSError as error:
@@ -87,18 +118,22 @@ def _of_folder(folder: Path) -> Iterator[File]:
                 "{name}: cannot be read ({reason})", name=str(name), reason=reason(error)
             )
             yield name, None, datetime.min, unread
+        else:
+            yield name, room.take(data), changed, None
 
 
-def _of_zip(data: bytes, name: str) -> Iterator[File]:
-    """Yield the files of a zip, none of which is written anywhere."""
+def _of_zip(data: bytes, name: str, room: _Room) -> Iterator[File]:
+    """Yield the files of a zip, of others than KINDS without their bytes; none is written."""
     try:
         archive = zipfile.ZipFile(io.BytesIO(data))
-    except (zipfile.BadZipFile, OSError, ValueError):
+    except UNREADABLE:
         raise InputError("{name}: is not a zip that can be read", name=name) from None
     entries = archive.infolist()
     if len(entries) > MOST_FILES:
         raise InputError("{name}: expected at most {most} files", name=name, most=MOST_FILES)
     for entry in sorted(entries, key=lambda entry: entry.filename):
+        if not entry.filename:
+            continue
         inside = PurePosixPath(entry.filename.replace("\\", "/"))
         if inside.is_absolute() or ".." in inside.parts:
             raise InputError(
@@ -109,9 +144,11 @@ def _of_zip(data: bytes, name: str) -> Iterator[File]:
             yield inside / "", None, changed, None
             continue
         try:
-            yield inside, _unpacked(archive, entry), changed, None
+            unpacked = _unpacked(archive, entry) if inside.suffix.lower() in KINDS else b""
         except InputError as error:
             yield inside, None, changed, error
+        else:
+            yield inside, room.take(unpacked), changed, None
 
 
 def _date(numbers: tuple[int, int, int, int, int, int]) -> datetime:
@@ -126,8 +163,7 @@ def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
     try:
         with archive.open(entry) as file:
             data = file.read(MOST_BYTES + 1)
-    # zipfile has no common error: RuntimeError is for a password, NotImplementedError for a method.
-    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, NotImplementedError):
+    except UNREADABLE:
         raise InputError("{file}: is damaged or encrypted", file=entry.filename) from None
     if len(data) > MOST_BYTES:
         raise InputError(
@@ -138,7 +174,7 @@ def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
     return data
 
 
-def _students(files: Iterator[File]) -> list[Submission]:
+def _students(files: Iterator[File], room: _Room) -> list[Submission]:
     """Return the submissions among files: a student's are in one folder, or are one file."""
     found: list[Submission] = []
     folders: dict[str, list[File]] = {}
@@ -146,12 +182,12 @@ def _students(files: Iterator[File]) -> list[Submission]:
         name, data, _changed, error = file
         if len(name.parts) > 1 or (data is None and error is None):
             folders.setdefault(name.parts[0], []).append(file)
-        elif name.suffix.lower() in (".py", ".zip"):
-            found += _programs(Submission(name.stem), [file])
+        elif name.suffix.lower() in KINDS:
+            found += _programs(Submission(name.stem), [file], room)
 
     for folder, inside in folders.items():
         student, number = participant(folder) or (folder, "")
-        found += _programs(Submission(student or folder, number, folder=folder), inside)
+        found += _programs(Submission(student or folder, number, folder=folder), inside, room)
     return sorted(found, key=lambda each: (each.student.casefold(), each.id, each.file))
 
 
@@ -174,14 +210,14 @@ def _unwrapped(files: Sequence[File]) -> Sequence[File]:
     )
 
 
-def _programs(student: Submission, files: Sequence[File]) -> list[Submission]:
+def _programs(student: Submission, files: Sequence[File], room: _Room) -> list[Submission]:
     """Return the programs of a student, those in a zip of the student's own among them."""
     found: list[Submission] = []
     for name, data, changed, error in files:
         of_file = replace(student, file=str(name), changed=changed)
         if name.suffix.lower() == ".zip" and data is not None:
             try:
-                inside = list(_of_zip(data, str(name)))
+                inside = list(_of_zip(data, str(name), room))
             except InputError as trouble:
                 found.append(replace(of_file, error=trouble))
                 continue
