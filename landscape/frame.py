@@ -90,6 +90,19 @@ def scaled(pixels: int, scale: float) -> int:
 
 
 @dataclass(frozen=True)
+class Tile:
+    """What of a large picture is drawn, in pixels from its lower left corner.
+
+    ``x``, ``y`` is where the tile begins; ``block`` is x, y, width and height of the rectangle to
+    which OpenGL projects, in which the tile is: the whole picture unless no viewport is as large.
+    """
+
+    x: int
+    y: int
+    block: tuple[int, int, int, int]
+
+
+@dataclass(frozen=True)
 class Frame:
     """One frame: pose, window size in pixels, kt, and the walker's state.
 

@@ -37,7 +37,7 @@ LANDSCAPE = (
     ("scene",),
     ("island", "hall", "voxel"),
     ("offscreen",),
-    ("maker",),
+    ("maker", "passes", "poster"),
     ("walk", "gallery", "studio"),
     ("bench", "film"),
     ("flyover.app",),

@@ -21,6 +21,7 @@ from landscape.film.encode import check
 from landscape.film.folder import Parts, opened
 from landscape.film.making import finished, write
 from landscape.film.parted import draw, join, status
+from landscape.film.rig import ONE, RIGS
 from landscape.film.sources import Wanted, film_of, places
 from landscape.film.stage import Drawing
 from landscape.scene.scene import SCENES
@@ -38,6 +39,10 @@ SOURCES = (
 SECONDS = "how long the film is; default: %s"
 OWN = "as long as the path, at the speed of a flight; a single view 5, a recording all of it"
 JOBS = "processes that draw, each on a core of its own; default: one for each core"
+CAMERA = (
+    "stereo: two eyes side by side, each half as wide; 360: all around, equirectangular (--size "
+    "twice as wide as high); default: one"
+)
 PARTS = (
     "draw the film in parts of four seconds, which stay in this folder: whatever cuts it off, the "
     "same command draws what is missing; without --out, only the parts"
@@ -78,6 +83,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--share", action="store_true", help=SHARE)
     group.add_argument("--join", type=Path, metavar="DIR|FILE.json", help=JOIN)
     group.add_argument("--status", type=Path, metavar="DIR|FILE.json", help=STATUS)
+    parser.add_argument("--camera", choices=RIGS, default=ONE, help=CAMERA)
     language_option(parser)
     size_option(parser, SIZE, "size of the film")
     drawing_options(parser, samples=4)
@@ -151,7 +157,14 @@ def _draw(options: argparse.Namespace) -> int:
     if options.share and options.parts is None:
         raise InputError("--share: expected --parts, too, the folder that is shared")
     language = _language(options)
-    drawing = Drawing(options.size, options.samples, options.backend, options.assets, options.seed)
+    drawing = Drawing(
+        options.size,
+        options.samples,
+        options.backend,
+        options.assets,
+        options.seed,
+        rig=options.camera,
+    )
     wanted = Wanted(
         drawing,
         fps=options.fps,

@@ -12,6 +12,7 @@ from landscape.files.assets import Assets
 from landscape.film.along import Along, Software
 from landscape.film.cut import Film, Part
 from landscape.film.replay import Recorded
+from landscape.film.rig import AROUND, FOV, ONE
 from landscape.film.stage import Drawing
 from landscape.film.views import Flight, Look, Still, spans
 from landscape.flyover.environment import NAMES, open_environment
@@ -88,6 +89,14 @@ def film_of(words: Sequence[str], wanted: Wanted) -> Film:
             "{alone}: expected to be the only source; only views can be several", alone=alone[0]
         )
     word = words[0]
+    if wanted.drawing.rig != ONE and (alone and not is_drawing(word, wanted)):
+        raise InputError(
+            "--camera {rig}: expected views or a path, not {word}",
+            rig=wanted.drawing.rig,
+            word=word,
+        )
+    if wanted.drawing.rig != ONE and wanted.scene == SOFTWARE:
+        raise InputError("--camera {rig}: not over --scene flyover", rig=wanted.drawing.rig)
     if wanted.scene and not is_drawing(word, wanted):
         raise InputError("--scene {scene}: only a path has none of its own", scene=wanted.scene)
     ending = 0.0
@@ -117,8 +126,12 @@ def film_of(words: Sequence[str], wanted: Wanted) -> Film:
 def look_at(kind: Scene, view: View, wanted: Wanted, flown: bool = False) -> Look:
     """Return how a view is looked at; ``flown``: without what only a walker holds."""
     preset = kind.preset_of(view) if wanted.preset is None else wanted.preset
-    values = kind.values(preset, view.settings, wanted.changes)
+    changes = wanted.changes
+    if wanted.drawing.rig == AROUND:
+        changes = {**changes, "camera.fov": FOV}  # that of a face
+    values = kind.values(preset, view.settings, changes)
     shown = kind.shown(view, wanted.only)
+    flown = flown or wanted.drawing.rig != ONE
     if flown and wanted.only is None:
         shown = tuple(name for name in shown if name not in kind.overlay)
     kt = view.kt if wanted.kt is None else wanted.kt

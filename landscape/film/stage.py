@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from landscape.files.assets import Assets
+from landscape.film.rig import ONE, drawn_size, picture
 from landscape.offscreen import Offscreen
 from landscape.scene.scene import SCENES, SEED, Moment, OpenScene, scene
 
@@ -22,7 +23,7 @@ class Drawing:
     """How a film is drawn: what all its pictures have in common.
 
     ``size`` is in pixels; ``scenes`` is the list of scenes, which a worker process would not know
-    if it has been added to.
+    if it has been added to. ``rig`` says how many cameras there are (rig.py).
     """
 
     size: tuple[int, int]
@@ -31,6 +32,7 @@ class Drawing:
     assets: Path | None = None
     seed: int = SEED
     scenes: dict[str, str] = field(default_factory=lambda: dict(SCENES))
+    rig: str = ONE
 
 
 class Stage:
@@ -38,7 +40,8 @@ class Stage:
 
     def __init__(self, drawing: Drawing) -> None:
         """Open nothing yet."""
-        self.drawing, self.size = drawing, drawing.size
+        self.drawing = drawing
+        self.size = drawn_size(drawing.rig, drawing.size)
         self.assets = Assets(drawing.assets)
         self._offscreen: Offscreen | None = None
         self._open: dict[Any, OpenScene] = {}  # the most recently used last
@@ -48,9 +51,7 @@ class Stage:
         """The context and the target; NoOpenGLError if there is none."""
         if self._offscreen is None:
             drawing = self.drawing
-            self._offscreen = Offscreen(
-                drawing.size, backend=drawing.backend, samples=drawing.samples
-            )
+            self._offscreen = Offscreen(self.size, backend=drawing.backend, samples=drawing.samples)
         return self._offscreen
 
     def scene(self, name: str, values: Any, shown: tuple[str, ...]) -> OpenScene:
@@ -70,7 +71,12 @@ class Stage:
 
     def draw(self, opened: OpenScene, moment: Moment) -> np.ndarray:
         """Return the picture of a moment, uint8 (h, w, 3), top row first."""
-        return self.offscreen.picture(lambda: opened.draw(moment))
+
+        def drawn(each: Moment) -> np.ndarray:
+            return self.offscreen.picture(lambda: opened.draw(each))
+
+        drawing, eye = self.drawing, opened.settings.walk.eye
+        return picture(drawing.rig, drawing.size, moment, eye, drawn)
 
     def close(self) -> None:
         """Release the scenes and the context; may be called twice."""

@@ -27,7 +27,7 @@ from landscape.elements import fog, sun
 from landscape.elements.element import Slot
 from landscape.elements.settings import Camera, Clock, Fog, Sound, Sun, Walk
 from landscape.files.assets import Assets
-from landscape.frame import FULL, Detail, Frame, Pose, scaled
+from landscape.frame import FULL, Detail, Frame, Pose, Tile, scaled
 from landscape.geometry.obstacle_grid import Obstacles
 from landscape.settings import declare
 from landscape.settings import notices as conditions
@@ -74,7 +74,8 @@ class Moment:
     """What a frame shows: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4).
 
     The pose's ``y`` must be a number. ``detail`` says how finely to draw it. ``walking`` says that
-    it is the next frame of a walk: what is costly may then be spread over several.
+    it is the next frame of a walk: what is costly may then be spread over several. Of a ``tile``
+    only that part of the picture is drawn, without what is laid over it.
     """
 
     pose: Pose
@@ -85,6 +86,7 @@ class Moment:
     wireframe: bool = False
     detail: Detail = FULL
     walking: bool = False
+    tile: Tile | None = None
 
 
 class Terrain(Protocol):
@@ -448,7 +450,12 @@ def begin_frame(
     pose, detail = moment.pose, moment.detail
     assert pose.y is not None
     frame_begins()
-    gl.glViewport(0, 0, *(scaled(side, detail.scale) for side in moment.size))
+    if moment.tile is None:
+        gl.glViewport(0, 0, *(scaled(side, detail.scale) for side in moment.size))
+    else:
+        # The tile is the part of this viewport that is in the framebuffer.
+        x, y, *drawn = moment.tile.block
+        gl.glViewport(x - moment.tile.x, y - moment.tile.y, *drawn)
     gl.glClearColor(*haze.color, 1.0)
     gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
     gl.glEnable(gl.GL_DEPTH_TEST)
@@ -483,6 +490,11 @@ def _near_plane(moment: Moment, camera: Camera) -> tuple[float, float, float, fl
     """
     pixel = 2 * camera.near * math.tan(math.radians(camera.fov) / 2) / moment.size[1]
     edges: list[float] = []
+    if moment.tile is not None:
+        for k, side in enumerate(moment.size):
+            begin, length = moment.tile.block[k], moment.tile.block[k + 2]
+            edges += [pixel * (begin - side / 2), pixel * (begin + length - side / 2)]
+        return edges[0], edges[1], edges[2], edges[3]
     for side, shift in zip(moment.size, moment.detail.shift, strict=True):
         low = -pixel * (side / 2 + shift)
         drawn = scaled(side, moment.detail.scale) / moment.detail.scale
