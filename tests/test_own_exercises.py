@@ -218,6 +218,8 @@ def test_new_texts_come_into_the_catalogue_and_the_rest_of_it_stays(tmp_path: Pa
     assert untranslated(found) == ["The hand comes back beyond a whole turn"]
     data, added = with_new_texts(found)
     assert added == 1 and data.decode().startswith((folder / FRENCH).read_text()[:400])
+    gone, back = 'msgid "The hand turns back', 'msgid "The hand comes back'
+    assert f"#~ {gone}" in data.decode() and f"\n{back}" in data.decode()
     (folder / FRENCH).write_bytes(data)
     assert with_new_texts(found) == (data, 0)
     assert untranslated(found) == ["The hand comes back beyond a whole turn"]

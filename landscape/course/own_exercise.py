@@ -33,6 +33,8 @@ README: Phrases = (
     "Tests that students do not see. Delete it if you need none.",
     "The French texts, for `--lang fr`. Delete it if you teach in one language: write in that "
     "everywhere.",
+    "What a test can look at: `python -m pydoc landscape.course.grader.evidence`; how it is "
+    "written: `python -m pydoc landscape.course.grader.grading`.",
     "In this folder's own folder:",
     "does the exercise hold?",
     "what students get, and what you keep",
@@ -79,12 +81,12 @@ def _readme(name: str, _: Translator, language: str) -> str:
     lines = [f"# {name}", "", said[0], ""]
     lines += [f"- `{file}`: {text}" for file, text in about if file != FRENCH or language == "en"]
     commands = (
-        (f"landscape exercise test {name}", said[9]),
-        (f"landscape exercise pack {name} --out handout", said[10]),
-        ("landscape exercise check submissions --exercises .", said[11]),
+        (f"landscape exercise test {name}", said[10]),
+        (f"landscape exercise pack {name} --out handout", said[11]),
+        ("landscape exercise check submissions --exercises .", said[12]),
     )
     width = max(len(command) for command, _what in commands)
-    lines += ["", said[8], ""]
+    lines += ["", said[8], "", said[9], ""]
     lines += [f"    {command:{width}}  # {what}" for command, what in commands]
     return "\n".join(lines) + "\n"
 
@@ -123,15 +125,21 @@ def untranslated(found: Exercise) -> list[str]:
 
 
 def with_new_texts(found: Exercise) -> tuple[bytes, int]:
-    """Return the fr.po of an exercise with an entry for each text that had none; how many."""
+    """Return the fr.po of an exercise with an entry for each text that had none; how many.
+
+    Entries of texts that are gone become comments.
+    """
     import polib
 
+    texts = dict.fromkeys(text for text, _file in texts_of(found))
     if not (found.folder / FRENCH).is_file():
-        texts = [text for text, _file in texts_of(found)]
-        return catalogue(texts, lambda text, context="": text, PO_HEADER[0]).encode(), len(texts)
+        made = catalogue(list(texts), lambda text, context="": text, PO_HEADER[0])
+        return made.encode(), len(texts)
     old = _french(found)
+    for entry in old:
+        entry.obsolete = entry.msgid not in texts
     known = {entry.msgid for entry in old}
-    new_ones = [text for text in untranslated(found) if text not in known]
+    new_ones = [text for text in texts if text not in known]
     old.extend(polib.POEntry(msgid=text) for text in new_ones)
     return f"{old}\n".encode(), len(new_ones)
 

@@ -167,10 +167,10 @@ class Shelf:
             )
         if names[0] not in self.names:
             raise InputError(
-                "{path}: {name}: expected an exercise, one of {names}",
+                "{path}: {name}: expected an exercise of `landscape exercise list`; --exercises "
+                "DIR finds those of a lecturer's own",
                 path=path,
                 name=short(names[0]),
-                names=", ".join(self.names),
             )
 
         return self.exercise(names[0])

@@ -1,7 +1,7 @@
-"""The form of an exercise's tests, in landscape/course/exercises/NAME/grading.py.
+"""The form of an exercise's tests, in its grading.py.
 
-    FRAMES = (0, 30)                                    # the frames that are looked at EVENTS =
-    [{"frame": 1, "key": "SPACE"}]             # optional: see framelens/program/program_events.py
+    FRAMES = (0, 30)                          # the frames that are looked at
+    EVENTS = [{"frame": 1, "key": "SPACE"}]   # optional: see framelens/program/program_events.py
 
     @test(_("The fog is on"), _("Without glEnable the other calls for fog have no effect."))
     def fog_on(work, solution):
@@ -18,8 +18,8 @@ It returns None if it has passed, else a :func:`hint`. Tests are made in their o
 one whose ``needs`` have not passed is not made, because its hint would mislead. :func:`between`
 says where a call is missing: "between line 41 (glClear) and line 44 (draw_scene)".
 
-``_`` marks a text for the catalogue landscape/locale/LANGUAGE/exercises/NAME.po; it is translated
-when it is printed.
+``_`` marks a text for the exercise's catalogue, landscape/locale/LANGUAGE/exercises/NAME.po or the
+LANGUAGE.po of an exercise of one's own; it is translated when it is printed.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
