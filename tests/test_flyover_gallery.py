@@ -85,5 +85,5 @@ def test_a_pair_differs_in_its_technique_alone() -> None:
 
 def test_the_fly_over_stands_beside_no_other_name() -> None:
     assert [panel.name for panel in gallery(["flyover"]).panels] == [shot.name for shot in SHOTS]
-    with pytest.raises(InputError, match="'flyover': expected no other names"):
+    with pytest.raises(InputError, match="expected names of one page"):
         gallery(["35", "flyover"])

@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from framelens.base.errors import InputError
 from framelens.base.texts import LANGUAGES
-from landscape.gallery.figures import update_pages
+from landscape.gallery.figures import gallery, update_pages
 from landscape.gallery.scene_captions import STEPS, VIEW_TEXTS
 from landscape.gallery.scene_page import PAIR_SIZE, STEP_SIZE, VIEW_SIZE, page, panels
 from landscape.scene.scene import scene
@@ -76,3 +77,17 @@ def test_a_step_names_a_view_and_elements_and_settings_of_its_scene(name: str) -
             assert step.view in kind.views and kind.only(step.only or None)
             kind.values(None, step.settings)
             assert not kind.notices(kind.views[step.view], None, step.settings, step.only or None)
+
+
+def test_each_picture_and_pair_of_a_gallery_is_drawn_by_its_name() -> None:
+    for name in ("hall", "voxel", "flyover"):
+        whole = gallery([name])
+        for panel in whole.panels:
+            if panel.name != name:  # the view of the hall that is called so: the name is its page
+                assert [each.name for each in gallery([panel.name]).panels] == [panel.name]
+                assert gallery([panel.name]).folder == name
+    pair = ["mirror_stencil_before", "mirror_stencil_after"]
+    assert [each.name for each in gallery(["mirror_stencil"]).panels] == pair
+    for wrong in (["hall", "R6"], ["mirror_stencil", "voxel_bay"], ["nosuch"]):
+        with pytest.raises(InputError, match="figures"):
+            gallery(wrong)

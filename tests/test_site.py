@@ -27,6 +27,7 @@ MODULES = (
     "gallery",
     "lesson_pages",
     "links",
+    "share",
     "start",
     "theme",
 )
@@ -54,6 +55,8 @@ def pages(site: Any, language: str, folder: Path) -> dict[str, str]:
         drawn.add([site.drawn.Seen("glVertex3f", lesson.name, f"{lesson.name}.py:20")])
         drawn.add([site.drawn.Seen("glVertex2f", lesson.name, f"{lesson.name}.py:21")])
     drawn.add([site.drawn.Seen("glFogf", "island/fog", "landscape/elements/fog.py:31")])
+    drawn.add([site.drawn.Seen("glStencilOp", "hall/mirror", "landscape/hall/mirror.py:40")])
+    drawn.add([site.drawn.Seen("glStencilOp", "exercise/stencil_mirror", "")])
     index = site.calls.index(drawn)
     return {
         **site.start.pages(language),
@@ -88,6 +91,9 @@ def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
     for lesson in lessons():
         assert f'<a href="../lessons/{lesson.name}.html#line-21">21</a>' in vertex
     assert "fog: `landscape/elements/fog.py:31`" in found["calls/glFog"]
+    stencil = found["calls/glStencilOp"]
+    assert "## In the great hall\n\n- mirror: `landscape/hall/mirror.py:40`" in stencil
+    assert "](../exercises/stencil_mirror.md)" in stencil and "## On the island" not in stencil
     explained = spec.explain("glFogf", "en")
     assert explained and explained in found["calls/glFog"] and explained in found["calls/index"]
     assert "[`glFog`](glFog.md)" in found["calls/index"]
@@ -176,6 +182,38 @@ def test_a_committed_picture_is_taken_as_it_is_if_it_is_webp_already(
         assert (tmp_path / language / "webp.webp").read_bytes() == wanted
         with Image.open(tmp_path / language / "png.webp") as picture:
             assert picture.format == "WEBP"
+
+
+def test_a_picture_of_two_languages_is_kept_once_and_its_pages_lead_there(
+    site: Any, tmp_path: Path
+) -> None:
+    french = tmp_path / "fr"
+    for folder in (tmp_path / "_images", french / "_images", french / "lessons"):
+        folder.mkdir(parents=True)
+    for name, english, other in (("a.webp", b"same", b"same"), ("b.webp", b"en", b"fr")):
+        (tmp_path / "_images" / name).write_bytes(english)
+        (french / "_images" / name).write_bytes(other)
+    text = '<img src="../_images/a.webp"><a href="../_images/b.webp"></a>_images/a.webp'
+    (french / "lessons" / "x.html").write_text(text)
+    (french / "index.html").write_text('<img src="_images/a.webp">')
+    site.share.pictures(tmp_path, french)
+    assert [path.name for path in (french / "_images").iterdir()] == ["b.webp"]
+    assert (french / "lessons" / "x.html").read_text() == text.replace(
+        '"../_images/a', '"../../_images/a'
+    )
+    assert (french / "index.html").read_text() == '<img src="../_images/a.webp">'
+    assert list(site.links.dead_links(tmp_path)) == []
+
+
+def test_the_search_in_french_takes_no_notice_of_accents(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("sphinx")
+    import importlib
+
+    monkeypatch.syspath_prepend(str(TESTS.parent / "docs" / "site"))
+    conf = importlib.import_module("conf")
+    stem = conf.French({}).stem
+    assert stem("Lumière") == stem("lumiere") and stem("œil") == stem("oeil")
+    assert stem("lumières") == stem("lumiere")
 
 
 def test_a_dead_link_and_a_missing_place_are_found(site: Any, tmp_path: Path) -> None:

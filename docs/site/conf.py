@@ -2,10 +2,13 @@
 
 import json
 import re
+import unicodedata
 from pathlib import Path
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from sphinx.search import languages
+from sphinx.search.fr import SearchFrench
 from sphinx.util.docutils import SphinxDirective
 
 project = "landscape"
@@ -40,6 +43,38 @@ pygments_style = "friendly"
 pygments_dark_style = "native"
 
 CALLS = Path(__file__).parent / "calls.json"
+
+
+class French(SearchFrench):
+    """The search in French: a word is found with its accents and without them."""
+
+    def stem(self, word: str) -> str:
+        return super().stem(without_accents(word.lower()))
+
+
+def without_accents(word: str) -> str:
+    plain = word.replace("œ", "oe").replace("æ", "ae")
+    return "".join(c for c in unicodedata.normalize("NFD", plain) if not unicodedata.combining(c))
+
+
+# The same for what a reader types; appended to the stemmer that Sphinx writes.
+FOLDING = r"""
+window.Stemmer = class extends window.Stemmer {
+  stemWord(word) {
+    const plain = word.replaceAll("œ", "oe").replaceAll("æ", "ae");
+    return super.stemWord(plain.normalize("NFD").replace(/\p{M}/gu, ""));
+  }
+};
+"""
+
+
+def fold_queries(app, error) -> None:
+    """Let the search of the built pages take queries without accents."""
+    data = Path(app.outdir) / "_static" / "language_data.js"
+    if error is None and app.config.language == "fr" and data.exists():
+        written = data.read_text(encoding="utf-8")
+        if FOLDING not in written:
+            data.write_text(written + FOLDING, encoding="utf-8")
 
 
 class BeforeAfter(SphinxDirective):
@@ -85,3 +120,5 @@ def setup(app) -> None:
     app.call_pages = json.loads(CALLS.read_text()) if CALLS.exists() else {}
     app.add_directive("before-after", BeforeAfter)
     app.connect("html-page-context", link_calls)
+    app.connect("build-finished", fold_queries)
+    languages["fr"] = French

@@ -16,7 +16,10 @@ EXAMPLE = "35 --out figures"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.add_argument(
-        "names", nargs="*", metavar="FIG", help="35, fig35a, R6, hall, voxel or flyover"
+        "names",
+        nargs="*",
+        metavar="FIG",
+        help="35, fig35a, R6; hall, voxel or flyover; or a picture or pair of these three pages",
     )
     parser.add_argument(
         "--out", type=Path, default=Path("figures"), metavar="DIR", help="default: %(default)s"

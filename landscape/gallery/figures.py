@@ -9,7 +9,7 @@ import pickle
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -54,21 +54,45 @@ class Gallery:
 def gallery(names: list[str]) -> Gallery:
     """Return the panels of these figures or fixes, all of the report's without names.
 
-    The name of a scene, or of the fly-over, means all panels of its own page. InputError for other
-    names, and where one of these stands beside others.
+    The name of a scene, or of the fly-over, means all panels of its own page; that of a picture
+    there, or of a pair without "_before" and "_after", means these. InputError for other names, and
+    where they are of different pages.
     """
-    if names == [flyover_page.NAME]:
-        panels, page_of = flyover_page.panels(), flyover_page.page
-        return Gallery(flyover_page.NAME, "webp", panels, page_of, captions.QUALITY)
-    if len(names) == 1 and names[0] in VIEW_TEXTS:
-        kind = scene(names[0])
-        of_scene = partial(scene_page.page, kind.name)
-        panels = scene_page.panels(kind)
-        return Gallery(kind.name, "webp", panels, of_scene, QUALITY[kind.name])
-    for name in names:
-        if name in (*VIEW_TEXTS, flyover_page.NAME):
-            raise InputError("figures {name!r}: expected no other names beside it", name=name)
-    return Gallery("", "png", named_panels(names), page.page)
+    own = [each for each in map(_elsewhere, names) if each is not None]
+    if not own:
+        return Gallery("", "png", named_panels(names), page.page)
+    if len(own) < len(names) or len({each.folder for each in own}) > 1:
+        raise InputError(
+            "figures {names}: expected names of one page, of the report, a scene or the fly-over",
+            names=", ".join(names),
+        )
+    panels = {panel.name: panel for each in own for panel in each.panels}
+    return replace(own[0], panels=list(panels.values()))
+
+
+def _elsewhere(name: str) -> Gallery | None:
+    """Return the panels of a name on the page of a scene or of the fly-over; None for another."""
+    for each in _pages():
+        if name == each.folder:
+            return each
+        named = [panel for panel in each.panels if name in (panel.name, _pair(panel.name))]
+        if named:
+            return replace(each, panels=named)
+    return None
+
+
+def _pair(name: str) -> str:
+    """Return the name of the pair that a panel is one half of, else that of the panel."""
+    return name.removesuffix("_before").removesuffix("_after")
+
+
+def _pages() -> Iterator[Gallery]:
+    """Yield the galleries of the scenes and of the fly-over, with all panels."""
+    for name in VIEW_TEXTS:
+        panels = scene_page.panels(scene(name))
+        yield Gallery(name, "webp", panels, partial(scene_page.page, name), QUALITY[name])
+    panels, page_of = flyover_page.panels(), flyover_page.page
+    yield Gallery(flyover_page.NAME, "webp", panels, page_of, captions.QUALITY)
 
 
 @dataclass(frozen=True)

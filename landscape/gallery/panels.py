@@ -139,7 +139,9 @@ def named_panels(names: list[str]) -> list[FigurePanel]:
         ]
         if not match:
             raise InputError(
-                "figures {name!r}: expected a figure such as 35, fig35a or R6", name=name
+                "figures {name!r}: expected a figure such as 35, fig35a or R6, a scene with a "
+                "page, or a picture of one",
+                name=name,
             )
         found += [panel for panel in match if panel not in found]
     return found

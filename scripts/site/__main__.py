@@ -26,6 +26,7 @@ import documents
 import exercise_pages
 import gallery
 import lesson_pages
+import share
 import start
 import theme
 from drawn import Drawn, draw_exercise, draw_lesson, read_scene, shrink
@@ -37,6 +38,7 @@ from framelens.base.texts import LANGUAGES
 from landscape.course.ladder import lessons
 from landscape.course.shelf import NAMES
 from landscape.maker import maker
+from landscape.gallery.scene_captions import VIEW_TEXTS
 from landscape.scene.scene import scene
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -78,6 +80,7 @@ def build(out: Path, jobs: int, workers: Executor | None = None) -> int:
             return status
         if language != "en":
             theme.reword_labels(built, language)
+            share.pictures(out, built)
     print(f"{out / 'index.html'}, made in {time.monotonic() - begin:.0f} s")
     return 0
 
@@ -91,7 +94,9 @@ def draw(folder: Path, jobs: int, engine: Executor | None = None) -> Drawn:
     for language in LANGUAGES:
         (folder / language).mkdir(parents=True)
     drawn = Drawn(folder)
-    views = [(name, preset) for preset in ("2006", "best") for name in scene().main]
+    views: list[tuple[str, str | None]] = []
+    views += [(name, preset) for preset in ("2006", "best") for name in scene().main]
+    views += [(name, None) for shown in VIEW_TEXTS.values() for name in shown]
     work = [
         *(
             partial(draw_lesson, each.name, word, folder)

@@ -1,10 +1,11 @@
-"""The index of every OpenGL call that the lessons and the island make, from their traces."""
+"""The index of every OpenGL call that lessons, exercises and scenes make, from their traces."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 
-from drawn import Drawn
+from drawn import EXERCISE, Drawn
+from exercise_pages import link
 from lesson_pages import title_link
 
 from framelens.base.texts import LANGUAGES, translator
@@ -13,6 +14,7 @@ from framelens.tape.names import element
 from landscape.commands.lesson import described
 from landscape.course import program_texts
 from landscape.course.ladder import NAMES, lesson
+from landscape.course.shelf import NAMES as NAMES_OF_EXERCISES
 
 
 @dataclass
@@ -24,6 +26,7 @@ class Entry:
     since: str
     variants: list[str] = field(default_factory=list)
     lessons: dict[str, list[int]] = field(default_factory=dict)
+    exercises: set[str] = field(default_factory=set)
     elements: dict[str, list[str]] = field(default_factory=dict)
 
     @property
@@ -45,7 +48,9 @@ def index(drawn: Drawn) -> dict[str, Entry]:
         if seen.name not in entry.variants:
             entry.variants.append(seen.name)
         _file, _colon, line = seen.source.rpartition(":")
-        if "/" in seen.user:
+        if seen.user.startswith(f"{EXERCISE}/"):
+            entry.exercises.add(seen.user.removeprefix(f"{EXERCISE}/"))
+        elif "/" in seen.user:
             places = entry.elements.setdefault(seen.user, [])
             if seen.source not in places:
                 places.append(seen.source)
@@ -69,10 +74,10 @@ def pages(language: str, index: Mapping[str, Entry]) -> dict[str, str]:
     rows = [
         f"| [`{e.base}`]({e.base}.md) | {spec.explain(e.variants[0], language)} | "
         + next((title_link(lesson(n), language, "../lessons/") for n in e.lessons), "")
-        + f" | {len(e.lessons)} | {len(e.elements)} |"
+        + f" | {len(e.lessons)} | {len(e.exercises)} | {len(e.elements)} |"
         for e in entries
     ]
-    count = _("{count} functions of OpenGL 1.x, as the lessons and the island call them.")
+    count = _("{count} functions of OpenGL 1.x, as lessons, exercises and scenes call them.")
     front = [
         f"# {_('Index of calls')}",
         count.format(count=len(entries)),
@@ -80,8 +85,8 @@ def pages(language: str, index: Mapping[str, Entry]) -> dict[str, str]:
         "\n".join(
             [
                 f"| {_('Function')} | {_('What it does')} | {_('First lesson')} | {_('Lessons')} | "
-                f"{_('Elements')} |",
-                "|---|---|---|---|---|",
+                f"{_('Exercises')} | {_('Elements')} |",
+                "|---|---|---|---|---|---|",
                 *rows,
             ]
         ),
@@ -117,13 +122,24 @@ def _page(entry: Entry, language: str) -> str:
             lines.append(_("{name}: {text}").format(name=title, text=which.format(numbers=at)))
         parts += [f"## {_('In the lessons')}", _list(lines)]
 
-    if entry.elements:
+    if entry.exercises:
+        links = [link(name, language) for name in NAMES_OF_EXERCISES if name in entry.exercises]
+        parts += [f"## {_('In the exercises')}", _list(links)]
+
+    headings = {
+        "island": _("On the island"),
+        "hall": _("In the great hall"),
+        "voxel": _("On the island in voxels"),
+    }
+    for scene, heading in headings.items():
         lines = []
         for name, places in entry.elements.items():
-            what = element(language, name.partition("/")[2])
-            at = ", ".join(f"`{place}`" for place in places)
-            lines.append(_("{name}: {text}").format(name=what, text=at))
-        parts += [f"## {_('On the island')}", _list(lines)]
+            if name.startswith(f"{scene}/"):
+                what = element(language, name.partition("/")[2])
+                at = ", ".join(f"`{place}`" for place in places)
+                lines.append(_("{name}: {text}").format(name=what, text=at))
+        if lines:
+            parts += [f"## {heading}", _list(lines)]
 
     return "\n\n".join(parts) + "\n"
 

@@ -61,6 +61,7 @@ def _looked_at(browser: Browser, site: Path) -> Iterator[str]:
 
         yield from _slider(page, home)
         yield from _search(page, home)
+        yield from _french(page, home)
         yield from _dark(browser, home)
         context.close()
 
@@ -96,6 +97,19 @@ def _search(page: Page, home: Path) -> Iterator[str]:
     found = [link.get_attribute("href") or "" for link in results.all()]
     if not any("calls/glClipPlane.html" in link for link in found):
         yield f"{home.name}: the search does not find glClipPlane, but {found[:5]}"
+
+
+def _french(page: Page, home: Path) -> Iterator[str]:
+    """Search for a word of French without its accents."""
+    if home.name != "fr":
+        return
+    counts = []
+    for word in ("lumière", "lumiere"):
+        page.goto((home / "search.html").as_uri() + f"?q={word}")
+        page.locator("ul.search li a").first.wait_for()
+        counts.append(page.locator("ul.search li a").count())
+    if not counts[0] or counts[0] != counts[1]:
+        yield f"fr: the search finds {counts[0]} pages with an accent and {counts[1]} without"
 
 
 def _dark(browser: Browser, home: Path) -> Iterator[str]:

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from PIL import Image
+from PIL import Image, features
 
 from framelens.base.errors import InputError
 from framelens.base.texts import LANGUAGES, speaking
@@ -22,12 +22,15 @@ from landscape.course.exercise import gradings
 from landscape.course.grader.picture import pictures
 from landscape.course.ladder import lesson
 from landscape.course.shelf import exercise
-from landscape.scene.scene import scene
+from landscape.scene.scene import find_view
 
 QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
 EVERY = 4  # chosen: frames of the program for one of its animation
-MOVING = 55  # chosen: quality of an animation; with QUALITY some take 5 MB
+# Chosen: the formats of an animation and their qualities, the best first. AVIF takes a quarter of
+# WebP, in which some lessons have 2.5 MB; an older Pillow may lack it.
+LOOPS = {"avif": {"quality": 50, "speed": 8}, "webp": {"quality": 30, "method": 2}}
 LIMIT = 300.0  # chosen, in seconds: a busy machine draws a loop slowly, and that is no fault
+EXERCISE = "exercise"
 STRIP_STEPS = 40  # chosen: draw calls that a strip shows one by one; with more, by function
 
 
@@ -36,7 +39,8 @@ class Seen:
     """A function's call: the function's name, who made the call, and where in its code."""
 
     name: str
-    user: str  # a lesson's name, or an element's as "island/castle"
+    # A lesson's name, that of an element as "island/castle", or of an exercise as "exercise/fog".
+    user: str
     source: str  # as "castle.py:31"
 
 
@@ -55,6 +59,12 @@ class Drawn:
         """Return the folder of a language's pictures."""
         return self.folder / language
 
+    def lesson_picture(self, name: str, language: str) -> str:
+        """Return the file of a lesson's loop, or of its picture where it has none."""
+        loops = (f"{name}-loop.{kind}" for kind in LOOPS)
+        found = (loop for loop in loops if (self.pictures(language) / loop).exists())
+        return next(found, f"{name}.webp")
+
 
 def draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
     """Draw a lesson's picture, loop and strip in a language; return its calls."""
@@ -69,13 +79,14 @@ def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
     if found.loop:
         frames = range(0, found.loop, EVERY)
         first, *others = (Image.fromarray(p) for p in pictures(found.file, frames, limit=LIMIT))
+        kind = next(each for each in LOOPS if features.check(each))
         first.save(
-            folder / f"{name}-loop.webp",
+            folder / f"{name}-loop.{kind}",
             save_all=True,
             append_images=others,
             duration=EVERY * 1000 // 60,
             loop=0,
-            quality=MOVING,
+            **LOOPS[kind],
         )
 
     target = ProgramFrame(str(found.file), frame=found.frame, limit=LIMIT)
@@ -103,7 +114,10 @@ def _draw_strip(target: ProgramFrame, language: str, sheet: Path, draws: int) ->
 
 
 def draw_exercise(name: str, folder: Path) -> list[Seen]:
-    """Draw the last frame that the grader looks at, of an exercise's start and of its solution."""
+    """Draw the last frame that the grader looks at, of an exercise's start and of its solution.
+
+    Return the functions that the solution calls, without the lines: they are not told.
+    """
     shown, _hidden = gradings(exercise(name))
     for kind, file in (("start", "start.py"), ("wanted", "solution.py")):
         program = exercise(name).folder / file
@@ -111,13 +125,15 @@ def draw_exercise(name: str, folder: Path) -> list[Seen]:
         for language in LANGUAGES:
             path = folder / language / f"exercise-{name}-{kind}.webp"
             Image.fromarray(picture).save(path, quality=QUALITY, method=6)
-    return []
+    calls = ProgramFrame(str(program), limit=LIMIT).look(all_calls)
+    return [Seen(call.name, f"{EXERCISE}/{name}", "") for call in calls]
 
 
-def read_scene(view: str, preset: str) -> list[Seen]:
+def read_scene(view: str, preset: str | None = None) -> list[Seen]:
     """Return the calls of a view's frame."""
+    kind, _named = find_view(view)
     calls = ViewFrame(view, (320, 240), preset=preset).look(all_calls)
-    return [Seen(call.name, f"{scene().name}/{call.element}", call.source) for call in calls]
+    return [Seen(call.name, f"{kind.name}/{call.element}", call.source) for call in calls]
 
 
 def all_calls(tape: Tape) -> list[Call]:

@@ -29,12 +29,14 @@ def pages(language: str) -> dict[str, str]:
 
 def of_lesson(name: str, language: str) -> str:
     """Return links to the exercises on a lesson, separated by commas; "" without one."""
-    found = (exercise(each) for each in NAMES)
-    return ", ".join(
-        f"[{each.translate.to(language)(each.title)}](../exercises/{each.name}.md)"
-        for each in found
-        if name in each.lessons
-    )
+    found = (each for each in NAMES if name in exercise(each).lessons)
+    return ", ".join(link(each, language) for each in found)
+
+
+def link(name: str, language: str) -> str:
+    """Return a link to an exercise's page, with its title."""
+    each = exercise(name)
+    return f"[{each.translate.to(language)(each.title)}](../exercises/{name}.md)"
 
 
 def markdown(text: str) -> str:

@@ -48,14 +48,12 @@ def _card(each: Lesson, language: str) -> str:
 
 def _page(each: Lesson, language: str, drawn: Drawn) -> str:
     _ = translator(language, "site", "course", "lessons")
-    loop = (drawn.pictures(language) / f"{each.name}-loop.webp").exists()
-    picture = f"{each.name}-loop" if loop else each.name
+    picture = drawn.lesson_picture(each.name, language)
     needs = ", ".join(title_link(lesson(name), language) for name in each.needs)
     exercises = of_lesson(each.name, language)
     parts = [
         f"# {_(each.title)}",
-        f"```{{image}} ../pictures/{picture}.webp\n:alt: {_(each.title)}\n"
-        ":class: lesson-picture\n```",
+        f"```{{image}} ../pictures/{picture}\n:alt: {_(each.title)}\n:class: lesson-picture\n```",
         *(_(text) for text in each.about),
         *([_("Builds on {lessons}.").format(lessons=needs)] if needs else []),
         *([_("Exercise: {exercises}.").format(exercises=exercises)] if exercises else []),
