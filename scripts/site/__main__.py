@@ -37,8 +37,8 @@ from framelens.base.progress import Progress
 from framelens.base.texts import LANGUAGES
 from landscape.course.ladder import lessons
 from landscape.course.shelf import NAMES
-from landscape.maker import maker
 from landscape.gallery.scene_captions import VIEW_TEXTS
+from landscape.maker import maker
 from landscape.scene.scene import scene
 
 ROOT = Path(__file__).resolve().parents[2]
