@@ -213,7 +213,7 @@ def test_the_key_mutes_and_shows_captions_and_a_replay_looks_the_same(tmp_path: 
         view="hall",
         pose=Pose(1.4, None, 2.3, 270.0),
         size=(320, 240),
-        only=("floor",),
+        only=("sword",),
     )
     pictures = []
     with Walk(plan, Assets(), "osmesa") as walk:

@@ -50,6 +50,7 @@ PARTS = (
 SHARE = "with --parts: other processes, on other machines with the same folder, draw parts, too"
 JOIN = "make the film --out of the parts in a folder"
 STATUS = "print which parts a folder has, who works on which, and how long it still takes"
+SOUND = "with the sound of the walk (docs/sound.md); a GIF has none"
 OUT = "the film: H.264, VP9 or a GIF, by the name's ending (the first two need the extra `film`)"
 
 
@@ -84,6 +85,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--join", type=Path, metavar="DIR|FILE.json", help=JOIN)
     group.add_argument("--status", type=Path, metavar="DIR|FILE.json", help=STATUS)
     parser.add_argument("--camera", choices=RIGS, default=ONE, help=CAMERA)
+    parser.add_argument("--sound", action="store_true", help=SOUND)
     language_option(parser)
     size_option(parser, SIZE, "size of the film")
     drawing_options(parser, samples=4)
@@ -117,7 +119,7 @@ def _status(options: argparse.Namespace) -> int:
 
 def _join(options: argparse.Namespace) -> int:
     """Join the parts in a folder."""
-    _refuse("--join", options, views=options.views, parts=options.parts)
+    _refuse("--join", options, views=options.views, parts=options.parts, sound=options.sound)
     found = opened(options.join, "--join")
     if len(found) > 1:
         names = ", ".join(f"film-{parts.plan.hash}.json" for parts in found)
@@ -175,6 +177,7 @@ def _draw(options: argparse.Namespace) -> int:
         kt=options.kt,
         wireframe=options.wireframe,
         language=language,
+        sound=options.sound,
     )
 
     found = places(options.views, wanted)
@@ -183,6 +186,8 @@ def _draw(options: argparse.Namespace) -> int:
 
     out = options.out or options.parts / "film.mp4"
     check(out, options.size, wanted.rate)
+    if options.sound and out.suffix.lower() == ".gif":
+        raise InputError("--sound: a GIF has none; expected .mp4 or .webm")
     film = film_of(options.views, wanted)
     with work(options) as (workers, jobs):
         if options.parts is not None:

@@ -5,6 +5,7 @@ twice the height of a walker's eyes, and over what stands there (geometry/roofs.
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar
@@ -16,7 +17,10 @@ from landscape.flyover.environment import Environment
 from landscape.flyover.frame import draw
 from landscape.flyover.scene_flight import SceneFlight
 from landscape.flyover.settings import Settings
+from landscape.frame import Pose
 from landscape.geometry.roofs import Roofs
+from landscape.scene.scene import OpenScene
+from landscape.sound.score import Heard
 
 EYES_UP = 2.0  # chosen: heights of a walker's eye above the ground
 
@@ -34,13 +38,23 @@ class Along:
 
     def open(self, stage: Stage) -> Pictures:
         """Return what draws it."""
+        pose = self._way(self.look.open(stage))
+        return lambda seconds: self.look.draw(stage, pose(seconds), seconds)
+
+    def listen(self, stage: Stage) -> Callable[[float], Heard]:
+        """Return what there is to hear on the way."""
         opened = self.look.open(stage)
+        heard, pose = self.look.hearing(opened), self._way(opened)
+        return lambda seconds: heard(pose(seconds), seconds)
+
+    def _way(self, opened: OpenScene) -> Callable[[float], Pose]:
+        """Return the camera's pose by seconds."""
         eye = EYES_UP * opened.settings.walk.eye
         settings = replace(Settings().flyover, speed=self.speed)
         flight = SceneFlight(self.environment, Roofs(opened), eye, settings)
         # At the very end it would begin again.
         last = math.nextafter(flight.duration, 0.0)
-        return lambda seconds: self.look.draw(stage, flight.pose(min(seconds, last)), seconds)
+        return lambda seconds: flight.pose(min(seconds, last))
 
 
 @dataclass(frozen=True)

@@ -25,12 +25,16 @@ class Part:
 
 @dataclass(frozen=True)
 class Film:
-    """Parts in their order, and ``ending`` seconds in which the last one goes to black."""
+    """Parts in their order, and ``ending`` seconds in which the last one goes to black.
+
+    ``sound`` says that it is to be heard, too.
+    """
 
     parts: tuple[Part, ...]
     drawing: Drawing
     fps: Fraction = Fraction(30)
     ending: float = 0.0
+    sound: bool = False
 
     def starts(self) -> list[float]:
         """Return when each part begins, in seconds; the last number is when the film ends."""

@@ -116,10 +116,10 @@ def check(out: Path, size: tuple[int, int], fps: Fraction) -> None:
             text=text,
             ending=ending,
         )
-    _av(ending, out)
+    pyav(ending, out)
 
 
-def _av(ending: str, out: Path | None = None) -> ModuleType:
+def pyav(ending: str, out: Path | None = None) -> ModuleType:
     """Return PyAV, for a file of this ending; InputError if it is not installed."""
     try:
         import av
@@ -148,17 +148,18 @@ def part_encoder(format: Format, first: int) -> PartEncoder:
     return _GifPart(format, first) if format.ending == ".gif" else _VideoPart(format)
 
 
-def joined(out: Path, format: Format) -> Joined:
-    """Return the file in which parts are joined; InputError if it cannot be written."""
-    return _JoinedGif(out, format) if format.ending == ".gif" else _JoinedVideo(out, format)
+def joined(out: Path, format: Format, sound: bytes = b"") -> Joined:
+    """Return the file in which parts are joined, with its ``sound``; InputError if it cannot be."""
+    return _JoinedGif(out, format) if format.ending == ".gif" else _JoinedVideo(out, format, sound)
 
 
 class FilmFile:
     """A film's file, written frame by frame: the same bytes as that of parts that are joined."""
 
-    def __init__(self, out: Path, format: Format) -> None:
+    def __init__(self, out: Path, format: Format, sound: bytes = b"") -> None:
+        """Begin the file; ``sound`` is the part with its sound, if it has any."""
         self._format = format
-        self._joined = joined(out, format)
+        self._joined = joined(out, format, sound)
         self._part: PartEncoder | None = None
         self.frames = 0
 
@@ -228,7 +229,7 @@ class _VideoPart:
     """A part of a video, by PyAV: the same bytes of the same pictures, on whichever computer."""
 
     def __init__(self, format: Format) -> None:
-        self._av = _av(format.ending)
+        self._av = pyav(format.ending)
         codec, options = CODECS[format.ending]
         self._data = io.BytesIO()
         self._container = self._av.open(self._data, "w", format.ending[1:], BITEXACT)
@@ -259,8 +260,9 @@ class _VideoPart:
 class _JoinedVideo:
     """A video: the packets of its parts one after another, not encoded again."""
 
-    def __init__(self, out: Path, format: Format) -> None:
-        self._av, self._name = _av(format.ending, out), f"--out {out}"
+    def __init__(self, out: Path, format: Format, sound: bytes = b"") -> None:
+        self._av, self._name = pyav(format.ending, out), f"--out {out}"
+        self._sound = _Sound(self._av, sound) if sound else None
         self._format = format
         self._output = Output(out, self._name)
         self._container: Any = None
@@ -288,6 +290,8 @@ class _JoinedVideo:
             if self._stream is None:
                 self._stream = self._container.add_stream_from_template(stream)
                 self._settings = stream.codec_context.extradata
+                if self._sound is not None:
+                    self._sound.begin(self._container)
             if stream.codec_context.extradata != self._settings:
                 raise InputError("{name}: encoded by another program than the rest", name=name)
             count = 0
@@ -297,6 +301,8 @@ class _JoinedVideo:
                     self._shift(packet)
                     self._container.mux(packet)
             self._frames += count
+            if self._sound is not None:
+                self._sound.mux(self._container, self._frames / self._format.fps)
 
     def _shift(self, packet: Any) -> None:
         """Give a packet its time in the film; its own counts from the part's beginning."""
@@ -317,7 +323,37 @@ class _JoinedVideo:
         if container is not None:
             with suppress(Exception):
                 container.close()
+        if self._sound is not None:
+            self._sound.close()
         self._output.discard()
+
+
+class _Sound:
+    """The part with a film's sound: its packets come between those of the pictures."""
+
+    def __init__(self, av: ModuleType, data: bytes) -> None:
+        self._opened = av.open(io.BytesIO(data))
+        self._packets = self._opened.demux(audio=0)
+        self._next: Any = None
+        self._stream: Any = None
+
+    def begin(self, container: Any) -> None:
+        """Add a stream to a film's file, after that of the pictures."""
+        self._stream = container.add_stream_from_template(self._opened.streams.audio[0])
+        self._next = next(self._packets, None)
+
+    def mux(self, container: Any, seconds: Fraction) -> None:
+        """Add what is heard before a time of the film."""
+        while self._next is not None and self._next.size:
+            if self._next.pts * self._next.time_base >= seconds:
+                return
+            self._next.stream = self._stream
+            container.mux(self._next)
+            self._next = next(self._packets, None)
+
+    def close(self) -> None:
+        """Close the part; may be called twice."""
+        self._opened.close()
 
 
 class _Named:

@@ -46,6 +46,7 @@ class Plan:
     film: str
     maker: dict[str, str]
     sources: tuple[str, ...] = ()
+    sound: bool = False
 
     @property
     def format(self) -> Format:
@@ -85,6 +86,7 @@ def plan_of(film: Film, ending: str, maker: Maker, sources: Sequence[str]) -> Pl
         film_hash(film),
         maker.values,
         tuple(sources),
+        film.sound,
     )
 
 
@@ -185,6 +187,15 @@ class Parts:
         """The file of a GIF's palette, RGB, a byte each."""
         return self.folder / f"palette-{self.plan.hash}.rgb"
 
+    @property
+    def sound(self) -> Path:
+        """The file of the film's sound."""
+        return self.folder / f"sound-{self.plan.hash}{self.plan.ending}"
+
+    def read_sound(self) -> bytes:
+        """Return the film's sound, nothing if it has none; InputError if it is not there."""
+        return _content(self.sound) if self.plan.sound else b""
+
     def missing(self) -> list[int]:
         """Return the numbers of the parts that are not there."""
         there = {path.name for path in self.folder.glob(f"part-*-{self.plan.hash}*")}
@@ -210,13 +221,7 @@ class Parts:
 
     def read(self, number: int) -> bytes:
         """Return a part; InputError if it is not there."""
-        path = self.path(number)
-        try:
-            return path.read_bytes()
-        except OSError as error:
-            raise InputError(
-                "{path}: cannot be read ({reason})", path=path, reason=reason(error)
-            ) from None
+        return _content(self.path(number))
 
     def format(self) -> Format:
         """Return the format of the film; InputError where the palette of a GIF is missing."""
@@ -241,6 +246,16 @@ class Parts:
         return each * (self.plan.parts - len(numbers))
 
 
+def _content(path: Path) -> bytes:
+    """Return the content of a file; InputError if it is not there."""
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError(
+            "{path}: cannot be read ({reason})", path=path, reason=reason(error)
+        ) from None
+
+
 def plans(folder: Path) -> list[Plan]:
     """Return the plans of all films in a folder; InputError for a file that is none."""
     return [read_plan(path) for path in sorted(folder.glob("film-*.json"))]
@@ -262,6 +277,7 @@ def read_plan(path: Path) -> Plan:
             "film": str,
             "maker": lambda values: asdict(Maker(**{k: str(v) for k, v in values.items()})),
             "sources": lambda words: tuple(map(str, words)),
+            "sound": lambda sound: bool(sound),
         }
         plan: Plan | None = Plan(**{name: read(data[name]) for name, read in known.items()})
     except OSError as error:

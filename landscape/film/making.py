@@ -12,7 +12,8 @@ from framelens.commands.reporting import notify
 from framelens.system import interrupts_held
 from landscape.film.cut import Film
 from landscape.film.encode import FilmFile, Format, format_of
-from landscape.film.frames import drawn, part_frames, parts, samples
+from landscape.film.frames import drawn, packed, part_frames, parts, samples
+from landscape.film.sound import sound_part
 
 
 def write(
@@ -37,7 +38,10 @@ def write(
         ):
             palette = partial(samples, film, workers, jobs)
             format = format_of(out, film.drawing.size, film.fps, palette)
-            file = FilmFile(out, format)
+            sound = b""
+            if film.sound:
+                sound = workers.submit(sound_part, packed(film), format.ending).result()
+            file = FilmFile(out, format, sound)
             if executor is None:
                 _draw(film, file, workers, jobs, progress)
             else:

@@ -26,6 +26,7 @@ from landscape.film.cut import Film
 from landscape.film.encode import Format, format_of, joined
 from landscape.film.folder import Parts, plan_of
 from landscape.film.frames import TooLarge, close, packed, part, samples
+from landscape.film.sound import sound_part
 from landscape.maker import maker
 
 TRIES = 3
@@ -203,6 +204,9 @@ def _begun(
             lambda: samples(film, workers, jobs),
         )
         write_whole(parts.palette, found.palette)
+    if film.sound and not parts.sound.is_file():
+        # Who shares the folder may make it, too: it is the same.
+        write_whole(parts.sound, workers.submit(sound_part, packed(film), ending).result())
     return Parting(film, parts, parts.format(), jobs, share)
 
 
@@ -218,7 +222,7 @@ def join(parts: Parts, out: Path) -> None:
             count=parts.plan.parts,
             name=f"film-{parts.plan.hash}.json",
         )
-    file = joined(out, parts.format())
+    file = joined(out, parts.format(), parts.read_sound())
     try:
         for number in range(parts.plan.parts):
             file.add(parts.read(number), str(parts.path(number)))

@@ -6,7 +6,7 @@ drawing it. Between two frames of the recording the eye is interpolated: a film 
 per second than the walk had, or fewer. Messages, keys and lists are of the window, and not shown.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -19,7 +19,9 @@ from landscape.frame import Pose
 from landscape.geometry.digging import Diggable
 from landscape.scene.scene import Moment, scene
 from landscape.settings import declare
+from landscape.sound.score import Heard
 from landscape.walk.builder import SWITCHES, Builder
+from landscape.walk.hearing import heard
 from landscape.walk.keys import SETTINGS
 from landscape.walk.place import Place, Places, at_doors
 from landscape.walk.recording import Plan, Tick
@@ -41,6 +43,10 @@ class Recorded:
     def open(self, stage: Stage) -> Pictures:
         """Return what draws it."""
         return Replay(self.plan, self.ticks, stage).picture
+
+    def listen(self, stage: Stage) -> Callable[[float], Heard]:
+        """Return what the walker heard."""
+        return Replay(self.plan, self.ticks, stage).heard
 
 
 @dataclass(frozen=True)
@@ -91,6 +97,13 @@ class Replay:
             for _ in range(2):
                 self._stage.draw(opened, moment)
         return self._stage.draw(opened, moment)
+
+    def heard(self, seconds: float) -> Heard:
+        """Carry out the walk up to a time, and return what is heard then, muted or not."""
+        moment = self.moment(seconds)
+        walker = replace(self.state.walker, x=moment.pose.x, z=moment.pose.z, yaw=moment.pose.yaw)
+        now = heard(self.state.place, walker, moment.kt, self._builder)
+        return replace(now, volume=self.state.place.settings.sound.volume)
 
     def moment(self, seconds: float) -> Moment:
         """Carry out the walk up to a time, and return what is seen then."""

@@ -42,6 +42,7 @@ class Wanted:
     kt: float | None = None
     wireframe: bool = False
     language: str = "en"
+    sound: bool = False
 
     @property
     def rate(self) -> Fraction:
@@ -112,7 +113,7 @@ def film_of(words: Sequence[str], wanted: Wanted) -> Film:
         found = [Part(_recorded(Path(word), wanted))]
     else:
         found = _through(words, wanted)
-    film = Film(tuple(found), wanted.drawing, wanted.rate, ending)
+    film = Film(tuple(found), wanted.drawing, wanted.rate, ending, wanted.sound)
     if film.frames > MOST_FRAMES:
         raise InputError(
             "{word}: {frames} frames, expected at most {most_frames}",

@@ -5,6 +5,7 @@ SLERP between the views' own, with a level horizon: what roll SLERP would give i
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
@@ -15,7 +16,9 @@ from landscape.film.stage import Stage
 from landscape.frame import Pose
 from landscape.geometry.camera_path import HOLD, Heights, Travel, through
 from landscape.geometry.quaternion import from_angles, to_angles
-from landscape.scene.scene import Moment, OpenScene, placed, raised
+from landscape.scene.scene import Moment, OpenScene, placed, raised, scene
+from landscape.sound.score import Heard
+from landscape.sound.soundscape import Ear
 
 FLIGHT = 2.0  # chosen: times the walking speed; as fast as one flies in a walk
 TURNING = 28.0  # chosen: degrees per second, the mean that sets how long a turn takes
@@ -43,6 +46,18 @@ class Look:
         kt = self.kt + seconds * self.values.clock.kt_per_second
         moment = Moment(pose, stage.size, kt, 0.0, self.stroke, self.wireframe)
         return stage.draw(self.open(stage), moment)
+
+    def hearing(self, opened: OpenScene) -> Callable[[Pose, float], Heard]:
+        """Return what there is to hear from a pose in the open scene, by seconds, as of draw."""
+        soundscape = scene(self.scene).sounds(self.values, opened)
+
+        def heard(pose: Pose, seconds: float) -> Heard:
+            kt = self.kt + seconds * self.values.clock.kt_per_second
+            assert pose.y is not None
+            ear = Ear(pose.x, pose.y, pose.z, pose.yaw, kt)
+            return Heard(soundscape, ear, volume=self.values.sound.volume)
+
+        return heard
 
 
 @runtime_checkable
@@ -83,6 +98,12 @@ class Still:
         pose = standing(self.pose, self.look.open(stage))
         return lambda seconds: self.look.draw(stage, pose, seconds)
 
+    def listen(self, stage: Stage) -> Callable[[float], Heard]:
+        """Return what there is to hear there."""
+        opened = self.look.open(stage)
+        heard, pose = self.look.hearing(opened), standing(self.pose, opened)
+        return lambda seconds: heard(pose, seconds)
+
 
 @dataclass(frozen=True)
 class Flight:
@@ -115,14 +136,20 @@ class Flight:
     def open(self, stage: Stage) -> Pictures:
         """Return what draws it."""
         travel = self.travel(self.look.open(stage))
+        return lambda seconds: self.look.draw(stage, posed(travel, seconds), seconds)
 
-        def picture(seconds: float) -> np.ndarray:
-            (x, y, z), turn = travel.at(seconds)
-            yaw, pitch, _ = to_angles(turn)
-            pose = Pose(float(x), float(y), float(z), yaw, pitch)
-            return self.look.draw(stage, pose, seconds)
+    def listen(self, stage: Stage) -> Callable[[float], Heard]:
+        """Return what there is to hear on the way."""
+        opened = self.look.open(stage)
+        heard, travel = self.look.hearing(opened), self.travel(opened)
+        return lambda seconds: heard(posed(travel, seconds), seconds)
 
-        return picture
+
+def posed(travel: Travel, seconds: float) -> Pose:
+    """Return the camera's pose on its way, with a level horizon."""
+    (x, y, z), turn = travel.at(seconds)
+    yaw, pitch, _ = to_angles(turn)
+    return Pose(float(x), float(y), float(z), yaw, pitch)
 
 
 def spans(poses: tuple[Pose, ...], speed: float) -> tuple[float, ...]:
