@@ -88,6 +88,12 @@ def test_the_null_device_takes_what_is_written(home: Path) -> None:
     speaker.close()
 
 
+def prepared(hearing: Hearing) -> None:
+    """Wait until what may be heard has been made."""
+    assert hearing._preparing is not None
+    hearing._preparing.join()
+
+
 def test_without_miniaudio_a_walk_is_silent_and_says_nothing(
     home: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -95,11 +101,9 @@ def test_without_miniaudio_a_walk_is_silent_and_says_nothing(
     hearing = Hearing(Speaker)
     here = Heard(FLAME, Ear(0.5, 0.0, 0.0, 0.0, 0.0))
     assert hearing.plays
-    for k in range(100):
-        hearing.hear(here, k / 30, False)
-        time.sleep(0.01)
-        if not hearing.plays:
-            break
+    hearing.hear(here, 0.0, False)
+    prepared(hearing)
+    hearing.hear(here, 0.1, False)
     assert not hearing.plays
     hearing.release()
     assert capfd.readouterr() == ("", "")
@@ -138,9 +142,7 @@ def test_what_is_heard_goes_to_the_speaker_block_by_block_without_a_jump() -> No
     FLAME.prepare()
     for k in range(60):
         hearing.hear(Heard(FLAME, Ear(0.9 - 0.02 * k, 0.0, 0.1, 3.0 * k, float(k))), k / 25, False)
-        if k == 0:
-            assert hearing._preparing is not None
-            hearing._preparing.join()
+        prepared(hearing)
     sound = np.concatenate(speaker.samples)
     assert len(sound) % (4 * QUANTUM) == 0 and len(sound) >= 59 * 4 * QUANTUM
     assert np.abs(sound).max() > 0.01
