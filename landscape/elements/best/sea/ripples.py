@@ -32,8 +32,8 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
 
 STEEP = 0.25  # chosen: standard deviation of the slopes where water.ripples is 1
-MUTED = 0.2  # chosen: by how much a slope of 1 changes the opacity at least
-TILES = (0.32, 3.3)  # chosen: tiles of each layer per tile of water.repeat: a long and a fine one
+MUTED = 0.8  # chosen: by how much a slope of 1 changes the opacity at least
+TILES = (0.32, 5.0)  # chosen: tiles of each layer per tile of water.repeat: a long and a fine one
 TURNS = np.radians([11.0, 48.0])  # chosen: by which each layer is turned on the map
 DRIFTS = ((0.19, 0.10), (0.05, 0.06))  # chosen: units per t along x and z
 FINE_LEVELS = (1.0, 0.95, 0.75, 0.4, 0.1, 0.0)  # chosen: the fine layer's contrast by mip level
