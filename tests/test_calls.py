@@ -242,6 +242,24 @@ def test_a_released_list_is_forgotten_and_its_number_may_be_used_again(stage: St
     gl.glDeleteLists(number, 1)
 
 
+@pytest.mark.parametrize("through_another", [False, True])
+def test_a_list_that_calls_itself_is_listed_once(through_another: bool, stage: Stage) -> None:
+    first = gl.glGenLists(2)
+    with stage.borrowed(), recording() as recorder:
+        for name, other in ((first, first + through_another), (first + 1, first)):
+            gl.glNewList(name, gl.GL_COMPILE)
+            gl.glPointSize(2.0)
+            gl.glCallList(other)
+            gl.glEndList()
+        gl.glCallList(first)
+    calls, depth = recorder.calls[-1].listed, 0
+    while calls:
+        assert [call.name for call in calls] == ["glPointSize", "glCallList"]
+        calls, depth = calls[-1].listed, depth + 1
+    assert depth == 1 + through_another
+    gl.glDeleteLists(first, 2)
+
+
 def test_each_context_knows_its_own_lists(stage: Stage) -> None:
     mine = DisplayList(lambda: gl.glPointSize(2.0))
     other = open_context(stage.context.backend)

@@ -136,6 +136,7 @@ def test_the_list_begins_where_the_lecture_would(shell: Shell) -> None:
     whole = shell("lecture", "--list").out.splitlines()
     assert shell("lecture", "--list", "--from", "3").out.splitlines() == whole[2:]
     refused(shell("lecture", "--list", "--from", "nosuch"), "--from 'nosuch'")
+    refused(shell("lecture", "--list", "--screen", "9"), "--screen: not with --list")
 
 
 def test_the_course_is_whole_in_french(shell: Shell) -> None:

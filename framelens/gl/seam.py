@@ -79,6 +79,7 @@ class Listing:
         self.length = 0  # how many calls are noted
         self._notes: list[Any] = []
         self._calls: list[Call] | None = None
+        self._listing = False  # whether they are just being listed
 
     def note(self, name: str, args: tuple[Any, ...], where: tuple[Any, ...]) -> None:
         """Add a call; ``where`` holds the next fields of a Call, as many as FIELDS."""
@@ -86,15 +87,27 @@ class Listing:
         self._notes += (name, len(args), *args, *where)
 
     def calls(self) -> list[Call]:
-        """Return the calls, each with the calls of the display lists that it executes."""
+        """Return the calls, each with the calls of the display lists that it executes.
+
+        Without those that execute this one again: OpenGL stops after so many, a walk of the calls
+        would not.
+        """
         if self._calls is None:
-            self._calls, notes = [], iter(self._notes)
+            self._calls, self._listing, notes = [], True, iter(self._notes)
             for name in notes:
                 args = tuple(islice(notes, next(notes)))
                 call = Call(name, args, *islice(notes, FIELDS))
-                call.executed = _executed(call)
+                call.executed = [each for each in _executed(call) if each._ends()]
                 self._calls.append(call)
+            self._listing = False
         return self._calls
+
+    def _ends(self) -> bool:
+        """Return whether the list ends: not if its own calls are just being listed."""
+        if self._listing:
+            return False
+        self.calls()
+        return True
 
     def put(self, calls: list[Call]) -> None:
         """Note that the list has been compiled again, from these calls."""

@@ -47,7 +47,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--screen",
         type=option_values.count,
-        default=1,
         metavar="N",
         help=_("which screen, if there are several; default: 1, the primary one"),
     )
@@ -79,6 +78,9 @@ def run(options: argparse.Namespace) -> int:
     if options.paper is not None:
         raise InputError("--paper: is for a PDF; expected --out FILE.pdf as well")
     if options.list:
+        for name in ("size", "screen"):
+            if getattr(options, name) is not None:
+                raise InputError("--{name}: not with --list, which opens no window", name=name)
         for number, title, name in texts.listed(lecture)[begin:]:
             print(f"{number}  {name:18} {title}")
         return 0
@@ -89,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
                 "there is no screen to open a window on ({reason}): use --list, or xvfb-run",
                 reason=reason,
             )
-    show(lecture, begin, options.size, options.screen)
+    show(lecture, begin, options.size, options.screen or 1)
     return 0
 
 
