@@ -70,7 +70,7 @@ def _moving(
 ) -> tuple[dict[str, Any], str]:
     """Return what walks from the views show, and a table of it."""
     from landscape.bench import moving as bench_moving
-    from landscape.walk.session import SIZE
+    from landscape.walk.title import SIZE
 
     if options.samples:
         raise InputError("--samples: not with --moving, as a walk has one sample per pixel")

@@ -4,6 +4,7 @@ import argparse
 import os
 from dataclasses import astuple, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError
 from framelens.base.texts import choose, said
@@ -17,11 +18,15 @@ from landscape.files.assets import Assets
 from landscape.scene.scene import find_view, scene
 from landscape.walk.pace import FPS
 
+if TYPE_CHECKING:
+    from framelens.gl.contexts.glfw import GLFWContext
+
 EXAMPLE = "fig35a --fullscreen"
 BEGIN = (
-    "where the walk begins: a view, a fix such as R12, or a scene; default: fig35e. A view of one "
-    "technique, flaw or fix is walked as it is drawn, with its preset, settings, elements and "
-    "wireframe"
+    "where the walk begins: a view, a fix such as R12, or a scene; without it, in a title where "
+    "you choose or, with options besides --fullscreen, --lang, --fresh and --mute, at fig35e. A "
+    "view of one technique, flaw or fix is walked as it is drawn, with its preset, settings, "
+    "elements and wireframe"
 )
 ALONG = (
     "begin with a flight along the path drawn in this file (docs/environments.md); or along that "
@@ -30,6 +35,7 @@ ALONG = (
 REPLAY = "replay a recorded walk; `tour` is the one that comes with the program"
 FRESH = "without your preferences, which F2 in the walk changes and keeps"
 MUTE = "begin without sound, as sound.muted=on; U switches it"
+OF_WINDOW = ("fullscreen", "lang", "fresh", "mute")  # options with which the title is met, too
 # The options that are arguments of the walk.
 PASSED_ON = (
     "size",
@@ -100,6 +106,50 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Walk until the user leaves; return the exit status."""
+    return greet(options) if meets_title(options) else walked(options)
+
+
+def meets_title(options: argparse.Namespace) -> bool:
+    """Return whether a walk begins with the title: no view is named, and nothing else asked for."""
+    parser = argparse.ArgumentParser()
+    add_arguments(parser)
+    usual = vars(parser.parse_args([]))
+    return all(getattr(options, name) == usual[name] for name in usual if name not in OF_WINDOW)
+
+
+def greet(options: argparse.Namespace) -> int:
+    """Let the user choose in the title where to walk, until he leaves; return the exit status."""
+    from framelens.gl.contexts.glfw import GLFWContext
+    from landscape.walk import last, preferences
+    from landscape.walk.title import SIZE, TO_TITLE, Title
+
+    wishes = preferences.read()[0] if not options.fresh else preferences.Preferences()
+    language = options.lang or wishes.language or choose(os.environ)
+    fullscreen = options.fullscreen or wishes.fullscreen
+    context = GLFWContext(SIZE, "landscape", True, fullscreen, "auto", True)
+    try:
+        title = Title(context, language)
+        while (entry := title.run()) is not None:
+            if entry.kind == "last":
+                ended = last.read()
+                options.view, options.pose = (ended.view, ended.pose) if ended else ("", None)
+            else:
+                options.view, options.pose = entry.value, None
+            try:
+                if walked(options, context) != TO_TITLE:
+                    break
+            except InputError as error:
+                title.note = said(error, language)
+    finally:
+        context.release()
+    return 0
+
+
+def walked(options: argparse.Namespace, context: "GLFWContext | None" = None) -> int:
+    """Walk from a view until the user leaves; return the exit status, or TO_TITLE.
+
+    ``context`` is the title's window, if the walk began there.
+    """
     from landscape.walk import preferences
     from landscape.walk.recording import MAX_NUMBER
     from landscape.walk.session import walk
@@ -136,5 +186,6 @@ def run(options: argparse.Namespace) -> int:
         language=options.lang or wishes.language,
         given=changes,
         preferences=wishes,
+        context=context,
         **{name: getattr(options, name) for name in PASSED_ON},
     )

@@ -108,6 +108,19 @@ class Slot(Generic[Values]):
         return any(name in only for name in needed) and all(name in only for name in self.beside)
 
 
+_watchers: list[Callable[[str], None]] = []
+
+
+@contextmanager
+def watched(tell: Callable[[str], None]) -> Iterator[None]:
+    """Let ``tell`` know the name of each slot that the block is about to fill."""
+    _watchers.append(tell)
+    try:
+        yield
+    finally:
+        _watchers.remove(tell)
+
+
 class Elements(Generic[Values]):
     """The elements of an open scene, by slot; ``shown`` may be changed between frames."""
 
@@ -132,6 +145,8 @@ class Elements(Generic[Values]):
     def build(self, *slots: Slot[Values]) -> None:
         """Fill slots, in this order."""
         for slot in slots:
+            for tell in _watchers:
+                tell(slot.name)
             self._slots[slot.name] = slot
             self._elements[slot.name] = self._filled(slot, self._site)
             self._by_kind.clear()

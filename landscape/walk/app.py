@@ -5,7 +5,8 @@ does, so a replay reproduces a recorded walk to the pixel.
 """
 
 import time
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from typing import Self
@@ -17,11 +18,11 @@ from framelens.base.texts import said, translator
 from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
 from framelens.gl.framebuffer import read_pixels
 from framelens.gl.glfw_library import glfw
-from framelens.gl.seam import gl
 from framelens.inspector.inspector_frame import Inspection
 from framelens.inspector.keys import system_name
 from framelens.inspector.panel import Panel, enlarged
 from framelens.tape.edits import Edit
+from landscape.elements.element import watched
 from landscape.files.assets import Assets
 from landscape.geometry.doors import Door
 from landscape.scene.scene import Moment, scene
@@ -33,6 +34,8 @@ from landscape.walk.digits import help_rows, hint, pressed
 from landscape.walk.hands import Hands
 from landscape.walk.hearing import Hearing, captioned, heard
 from landscape.walk.keys import SETTINGS
+from landscape.walk.last import LastWalk, first_picture
+from landscape.walk.last import keep as keep_last
 from landscape.walk.list_image import list_image
 from landscape.walk.pad import Pad, PadState, steered
 from landscape.walk.place import Place, Places, at_doors, list_picture
@@ -43,11 +46,12 @@ from landscape.walk.screen import FrameRate, FullScreen, hide_cursor, save_scree
 from landscape.walk.sizes import Resizer, check_viewport
 from landscape.walk.speaker import Speaker
 from landscape.walk.steady import Steady
+from landscape.walk.title_image import covering
+from landscape.walk.waiting import Waiting, with_alpha
 from landscape.walk.walker import Intent, aimed, start
 
 SHOWN = 2.0  # seconds for which a message is shown
 FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
-EMPTY = (0.16, 0.22, 0.28)  # chosen: RGB of a window whose scene is not open yet
 REST = 0.05  # chosen: seconds between checks of a window that is minimised or has no area
 
 
@@ -70,13 +74,17 @@ class Walk:
         world: WorldFile | None = None,
         preferences: Preferences | None = None,
         speaker: Callable[[], Speaker] | None = None,
+        titled: bool = False,
+        keeps: bool = False,
     ) -> None:
         """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
 
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
         ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed;
         ``preferences`` are the user's keys, mouse and comfort; ``speaker`` opens what the sound
-        comes from, None for a walk without a device.
+        comes from, None for a walk without a device. With ``titled`` Escape leads back to the title
+        instead of closing the window, which stays open; with ``keeps`` the walk is kept as the last
+        one.
         """
         self.headless = backend in (*HEADLESS, "headless")
         self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
@@ -105,6 +113,10 @@ class Walk:
         self.hearing = Hearing(speaker)
         self._panel: Panel | None = None
         self.steady = Steady(fps)
+        self.to_title = False  # whether the user has asked for the title
+        self._titled, self._keeps = titled, keeps
+        self._begun = plan.view
+        self._waiting: Waiting | None = None
         self._context: GLFWContext | None = context or GLFWContext(
             plan.size, "landscape", True, fullscreen, backend, enlarged
         )
@@ -129,8 +141,9 @@ class Walk:
         self._dpi = max(glfw.get_window_content_scale(self.window))
         self._panel = Panel(self._word("help.title"), self._help_rows(), self._dpi)
 
+        self._first = first_picture(plan.view, plan.scene, plan.pose)
         self._wait("loading")
-        with self.inspection.building():
+        with self.inspection.building(), self._progress():
             self.place.open(self._assets, self._seed, plan.only)
             self._builder.opened(self.place.scene)
 
@@ -144,15 +157,30 @@ class Walk:
         assert self._panel is not None and self._context is not None
         if 0 in (size := self._context.pixels()):
             return
-        if not self.place.is_open:
-            gl.glClearColor(*EMPTY, 1.0)
-            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
-        elif size == self._size:
+        if not self.place.is_open or size != self._size:
+            behind = np.asarray(covering(self._first, size))
+        else:
             self._until = 0.0  # an earlier message would show under this one
             self.draw()
-        self._panel.draw(size, message=self._word(text, **values))
-        self._context.show()
+            behind = with_alpha(self.pixels())
+        kind = self.place.kind
+        self._waiting = Waiting(self._context, self._panel, self._word(text, **values), behind)
+        self._waiting.expected = len(kind.slots) or len(kind.elements)
+        self._waiting.show(self._language)
         glfw.poll_events()
+
+    @contextmanager
+    def _progress(self) -> Iterator[None]:
+        """Say how far the block is with building a scene, if :meth:`_wait` was called."""
+        waiting, self._waiting = self._waiting, None
+        if waiting is None:
+            yield
+            return
+        try:
+            with watched(partial(waiting.step, self._language)):
+                yield
+        finally:
+            waiting.release()
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)
@@ -181,7 +209,7 @@ class Walk:
         self.hands.enter(self.place.kind.blocks, self.place.kind.letters)
         for order in orders:
             self.obey(order)
-        if glfw.window_should_close(self.window):
+        if self.to_title or glfw.window_should_close(self.window):
             return None
 
         seconds = self._lap()
@@ -298,7 +326,9 @@ class Walk:
 
     def obey(self, order: str) -> None:
         """Carry out an order to the window; recordings do not contain orders."""
-        if order == "quit":
+        if order == "quit" and self._titled:
+            self.to_title = True
+        elif order == "quit":
             glfw.set_window_should_close(self.window, True)
         elif order == "screenshot":
             self._shoot = True
@@ -394,7 +424,7 @@ class Walk:
         left, place = self.place, self._places.behind(door)
         self._wait("opening", place=self._named(place.kind.title))
         try:
-            with self.inspection.building():
+            with self.inspection.building(), self._progress():
                 self._places.enter(place, self._assets, self._seed)
         except (InputError, NoOpenGLError) as error:
             self.walker = start(door.way_out, left.scene, left.settings)
@@ -439,7 +469,8 @@ class Walk:
     def _rebuild(self) -> None:
         """Open the scene again."""
         self._wait("rebuilding")
-        self.place.open(self._assets, self._seed)
+        with self._progress():
+            self.place.open(self._assets, self._seed)
 
     def _change(self, tick: Tick) -> None:
         """Show the list with its chosen row, and make the changes that were asked for there."""
@@ -556,13 +587,29 @@ class Walk:
     def close(self) -> None:
         """Save the world, or raise InputError; release all, in order; may be called twice."""
         try:
+            self._keep_last()
             self._builder.leave()
         finally:
-            owners = self._panel, self.steady, self._places, self.place, self._context
+            window = None if self._titled else self._context
+            owners = self._panel, self.steady, self._places, self.place, window
             for owner in (self.hearing, *owners):
                 if owner is not None:
                     owner.release()
             self._panel = self._context = None
+
+    def _keep_last(self) -> None:
+        """Keep what is seen, and where, for the title and for the next walk's first picture."""
+        keeps, self._keeps = self._keeps, False
+        if not keeps or self._context is None or not self.place.is_open or 0 in self._size:
+            return
+        if self._context.pixels() != self._size:
+            return
+        kind = self.place.kind
+        begun = kind.named(self._begun) is not None
+        self._help, self._until, self._row = False, 0.0, ""
+        self.draw()
+        view = self._begun if begun else kind.start
+        keep_last(self.pixels(), LastWalk(view, self.walker.pose))
 
     def __enter__(self) -> Self:
         return self

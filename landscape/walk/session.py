@@ -8,7 +8,7 @@ from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.texts import choose
-from framelens.gl.contexts.glfw import HEADLESS
+from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
 from framelens.tape.edit_files import read as read_edits
 from landscape.files.assets import Assets, recording
 from landscape.flyover.environment import open_environment
@@ -23,8 +23,7 @@ from landscape.walk.pace import FPS
 from landscape.walk.preferences import Preferences
 from landscape.walk.recording import Plan, Writer, read
 from landscape.walk.speaker import Speaker
-
-SIZE = (1280, 720)  # chosen: window coordinates
+from landscape.walk.title import SIZE, TO_TITLE
 
 
 def walk(
@@ -49,6 +48,7 @@ def walk(
     world: Path | None = None,
     path: str | None = None,
     preferences: Preferences | None = None,
+    context: GLFWContext | None = None,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
@@ -63,6 +63,8 @@ def walk(
     of an environment of the fly-over, along whose path the walk begins; it cannot be recorded.
     ``given`` are the settings among ``settings`` that the user has set: they go with him through
     doors. ``preferences`` are the user's keys, mouse and comfort; a replay takes the keys alone.
+    The title passes on its window as ``context``: it stays open, and TO_TITLE is returned if the
+    user wants back.
     Raises InputError and NoOpenGLError.
     """
     if backend == "cgl":
@@ -118,14 +120,18 @@ def walk(
             fullscreen = fullscreen or preferences.fullscreen
         options = backend, fullscreen, kept_rate, enlarged, changes
         # Who asks for a number of frames does not listen.
-        speaker = Speaker if frames is None and backend not in HEADLESS else None
+        listens = frames is None and backend not in HEADLESS
+        live = ticks is None and listens and backend != "headless"
         with Walk(
             plan,
             assets,
             *options,
+            context=context,
             world=kept_world,
             preferences=preferences,
-            speaker=speaker,
+            speaker=Speaker if listens else None,
+            titled=context is not None,
+            keeps=live,
         ) as opened:
             course = None
             if environment is not None:
@@ -147,7 +153,7 @@ def walk(
         if changes:
             print("landscape:", words.text(plan.language, "inspector.record"), file=sys.stderr)
 
-    return 0
+    return TO_TITLE if opened.to_title else 0
 
 
 def _checked(settings: object, given: Mapping[str, object]) -> dict[str, declare.Value]:

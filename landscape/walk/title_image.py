@@ -1,0 +1,113 @@
+"""The title's picture: what one can choose, over a picture of what is chosen."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageDraw, UnidentifiedImageError
+
+from framelens.base.fonts import font, writable
+from framelens.inspector.panel import KEYS, SMALLEST, TITLE, WORDS, text_size, wrapped
+
+EMPTY = (41, 56, 71)  # chosen: RGB of a window without a picture
+PLATE = (12, 20, 28, 170)  # chosen: RGBA behind the words
+CHOSEN = (88, 84, 58, 225)  # chosen: RGBA behind the chosen row
+SPACING = 1.6  # chosen: line height, in font sizes
+LARGE = 1.9  # chosen: size of the heading, in font sizes
+WIDEST = 0.56  # chosen: of the window's width, for the words
+TALLEST = 0.9  # chosen: of the window's height
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of the title: its text, and a word beside it."""
+
+    text: str
+    beside: str = ""
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """The title's picture, uint8 (h, w, 4), and which rows of the window each entry fills.
+
+    ``places`` are (first, end) in pixels from the top, by the entry's number; ``width`` is how far
+    they reach from the left.
+    """
+
+    image: np.ndarray
+    places: dict[int, tuple[int, int]]
+    width: int
+
+    def at(self, x: float, y: float) -> int | None:
+        """Return the number of the entry at a place in pixels from the top left, if any."""
+        found = (k for k, (top, end) in self.places.items() if top <= y < end and x < self.width)
+        return next(found, None)
+
+
+def covering(path: Path | None, size: tuple[int, int]) -> Image.Image:
+    """Return a picture that fills a window of ``size`` pixels, RGBA; plain without a file."""
+    plain = Image.new("RGBA", size, (*EMPTY, 255))
+    if path is None:
+        return plain
+    try:
+        with Image.open(path) as found:
+            picture = found.convert("RGBA")
+    except (OSError, UnidentifiedImageError, Image.DecompressionBombError):
+        return plain
+    width, height = size
+    times = max(width / picture.width, height / picture.height)
+    part = width / times, height / times
+    left, top = (picture.width - part[0]) / 2, (picture.height - part[1]) / 2
+    box = (left, top, left + part[0], top + part[1])
+    return picture.resize(size, Image.Resampling.BILINEAR, box)
+
+
+def title_image(
+    heading: str,
+    rows: Sequence[Row],
+    chosen: int,
+    below: str,
+    size: tuple[int, int],
+    dpi: float = 1.0,
+    behind: Path | None = None,
+) -> Drawn:
+    """Render the title for a window of ``size`` pixels.
+
+    ``below`` says how to choose, or what went wrong; ``behind`` is a picture of what is chosen.
+    """
+    image = covering(behind, size)
+    for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
+        face = font(pixels)
+        wide = max(face.getlength(f"{row.text}  {row.beside}") for row in rows) + 5 * pixels
+        if wide <= max(WIDEST * size[0], 18 * pixels):
+            break
+    large, line, edge = font(round(LARGE * pixels)), round(SPACING * pixels), 2 * pixels
+    width = min(max(round(wide), 18 * pixels), size[0])
+    notes = wrapped(writable(below, face), face, width - 2 * edge)
+    around = 4 * edge + len(notes) * line
+    count = max(min(len(rows), (round(TALLEST * size[1]) - around) // line), 1)
+    first = max(min(chosen - count // 2, len(rows) - count), 0)
+
+    plate = Image.new("RGBA", size, (0, 0, 0, 0))
+    draw = ImageDraw.Draw(plate)
+    draw.rectangle((0, 0, width, size[1]), PLATE)
+    y = max((size[1] - around - count * line) // 3, edge // 2)
+    draw.text((edge, y), writable(heading, large), TITLE, large, "la")
+    y += 2 * edge
+    places = {}
+    for number in range(first, first + count):
+        row = rows[number]
+        places[number] = (y, y + line)
+        if number == chosen:
+            right = max(width - edge // 2, edge // 2)
+            draw.rectangle((edge // 2, y, right, y + line - 1), CHOSEN)
+        middle = y + line / 2
+        draw.text((edge, middle), writable(row.text, face), WORDS, face, "lm")
+        draw.text((width - edge, middle), writable(row.beside, face), KEYS, face, "rm")
+        y += line
+    y += edge
+    for note in notes:
+        draw.text((edge, y), note, KEYS, face, "la")
+        y += line
+    return Drawn(np.asarray(Image.alpha_composite(image, plate)), places, width)

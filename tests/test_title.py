@@ -1,0 +1,221 @@
+"""The title: what it offers, by keys, mouse and gamepad; who meets it, and what it keeps."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from commands import environment, python
+from PIL import Image
+
+from landscape.cli import parse
+from landscape.commands.walk import meets_title
+from landscape.files import cache
+from landscape.frame import Pose
+from landscape.scene.scene import SCENES, find_view, scene
+from landscape.walk import last
+from landscape.walk.last import LastWalk
+from landscape.walk.thumbnails import FLIGHT, SIZE, thumbnail
+from landscape.walk.title import main_entries, view_entries
+from landscape.walk.title_image import Row, title_image
+
+pytestmark = pytest.mark.window
+
+
+@pytest.fixture
+def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(cache, "folder", lambda: tmp_path)
+    return tmp_path
+
+
+def test_every_entry_has_its_picture_and_every_view_can_be_walked(own_cache: Path) -> None:
+    for entry in main_entries("en"):
+        assert entry.picture is not None, entry
+    assert [entry.value for entry in main_entries("en")[:3]] == list(SCENES)
+    entries = view_entries("fr")
+    assert {entry.value for entry in entries} == {
+        name for each in SCENES for name in scene(each).main
+    }
+    for entry in entries:
+        assert find_view(entry.value)[1].name == entry.value
+        assert entry.picture is not None
+        with Image.open(entry.picture) as picture:
+            assert picture.size == SIZE
+    assert thumbnail(FLIGHT) is not None and thumbnail("../x") is None
+
+
+def test_the_last_walk_is_offered_as_long_as_it_can_be_read(own_cache: Path) -> None:
+    assert last.read() is None and main_entries("en")[0].kind != "last"
+    ended = LastWalk("fig35a", Pose(1.0, 2.0, 3.0, 40.0, 5.0))
+    last.keep(np.full((90, 1600, 3), 200, np.uint8), ended)
+    assert last.read() == ended
+    entry = main_entries("en")[0]
+    assert entry.kind == "last" and entry.picture == last.picture()
+    with Image.open(own_cache / last.PICTURE) as picture:
+        assert picture.size == (960, 54)
+    assert last.first_picture("fig35b", "island", ended.pose) == last.picture()
+    assert last.first_picture("fig35b", "island", Pose(1, 2, 3)) == thumbnail("fig35b")
+    assert last.first_picture("R12", "island", Pose(1, 2, 3)) == thumbnail("island")
+    for damaged in ("", "{}", "[1]", '{"view": "a", "pose": [1, 2]}', '{"view": 1, "pose": "x"}'):
+        (own_cache / last.PLACE).write_text(damaged)
+        assert last.read() is None, damaged
+    (own_cache / last.PLACE).write_text('{"view": "a", "pose": [1, NaN, 3, 4, 5]}')
+    assert last.read() is None
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (300, 900), (1900, 200), (40, 30), (1, 1)])
+def test_the_chosen_row_is_seen_in_every_window(size: tuple[int, int]) -> None:
+    rows = [Row(f"a view of something, number {k}", f"view{k}") for k in range(30)]
+    for chosen in (0, 17, 29):
+        drawn = title_image("Views", rows, chosen, "how to choose", size)
+        assert drawn.image.shape == (size[1], size[0], 4)
+        assert chosen in drawn.places
+        top, end = drawn.places[chosen]
+        if size[1] >= 200:
+            assert 0 <= top < end <= size[1]
+            assert drawn.at(5, (top + end) / 2) == chosen
+            assert drawn.at(5, -1) is None and drawn.at(size[0], top) is None
+
+
+def test_a_picture_that_cannot_be_read_is_none(tmp_path: Path) -> None:
+    (tmp_path / "a.jpg").write_bytes(b"\xff\xd8 not a picture")
+    rows = [Row("one")]
+    plain, damaged = (
+        title_image("x", rows, 0, "", (64, 48), behind=path).image
+        for path in (None, tmp_path / "a.jpg")
+    )
+    np.testing.assert_array_equal(plain, damaged)
+
+
+def test_only_a_walk_without_a_view_and_other_options_meets_the_title() -> None:
+    def meets(*options: str) -> bool:
+        return meets_title(parse(["walk", *options]))
+
+    for options in ([], ["--fullscreen"], ["--lang", "fr"], ["--fresh", "--mute"]):
+        assert meets(*options), options
+    for options in (
+        *(["fig35a"], ["hall"], ["--frames", "1"], ["--record", "a"], ["--replay", "tour"]),
+        *(["--pose", "1,1,1,0,0"], ["--size", "64x48"], ["--preset", "best"], ["--path", "alps"]),
+        *(["--set", "fog.enabled=off"], ["--only", "sky"], ["--world", "w"], ["--fps", "0"]),
+    ):
+        assert not meets(*options), options
+
+
+TITLE = """
+import hashlib, json
+import glfw
+from framelens.gl.contexts.glfw import GLFWContext
+from framelens.gl.framebuffer import read_pixels
+from framelens.gl.seam import gl
+from landscape.walk import title as module
+from landscape.walk.pad import Pad, PadState
+from landscape.walk.title import Title
+
+states, ran, seen = [], [], []
+module.time.sleep = lambda seconds: None
+context = GLFWContext((320, 240), backend="osmesa")
+
+class Watched(Title):
+    script = []
+    def draw(self):
+        super().draw()
+        seen.append([hashlib.sha256(read_pixels((320, 240))).hexdigest(), self.index,
+                     len(self.entries), self.note])
+        if self.script:
+            self.script.pop(0)(self)
+
+def key(code):
+    def press(title):
+        title.key(code)
+        title.key(code, glfw.RELEASE)
+    return press
+def click(number):
+    def press(title):
+        top, end = title._drawn.places[number]
+        title.click(20, (top + end) / 2)
+    return press
+def pad(button):
+    return lambda title: states.append(PadState(frozenset([button])))
+
+title = Watched(context, "en", Pad(lambda: states.pop(0) if states else PadState()),
+                lambda words: ran.append(words) or len(ran) - 1)
+def choice(*script):
+    title.script = list(script)
+    entry = title.run()
+    return entry and [entry.kind, entry.value]
+
+found = [
+    choice(key(glfw.KEY_DOWN), key(glfw.KEY_ENTER)),
+    choice(click(2)),
+    choice(pad(glfw.GAMEPAD_BUTTON_DPAD_DOWN), pad(glfw.GAMEPAD_BUTTON_A)),
+    choice(key(glfw.KEY_END), key(glfw.KEY_UP), key(glfw.KEY_ENTER), key(glfw.KEY_UP),
+           key(glfw.KEY_ENTER), key(glfw.KEY_UP), key(glfw.KEY_SPACE), key(glfw.KEY_DOWN),
+           key(glfw.KEY_ENTER)),
+    choice(key(glfw.KEY_ESCAPE), key(glfw.KEY_ESCAPE)),
+    choice(key(glfw.KEY_END), key(glfw.KEY_ENTER)),
+]
+print(json.dumps([found, ran, seen, int(gl.glGetError())]))
+context.release()
+"""
+
+
+def test_keys_mouse_and_gamepad_choose_and_one_key_leaves() -> None:
+    done = python(TITLE, env=environment(LANG="C", LANDSCAPE_CACHE=""))
+    assert done.status == 0, done.err
+    found, ran, seen, error = json.loads(done.out)
+    scenes = [["view", name] for name in SCENES]
+    assert found == [scenes[1], scenes[2], scenes[1], ["view", "fig35b"], None, None]
+    assert ran == [["lecture", "--lang", "en"], ["flyover", "--lang", "en"]]
+    assert "the terminal says why" in " ".join(note for *_, note in seen)
+    assert error == 0
+    assert len({picture for picture, *_ in seen}) > 6, "the pictures are all the same"
+
+
+WALKS = """
+import json, sys
+from pathlib import Path
+import glfw
+from framelens.gl.contexts.glfw import GLFWContext
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.scene.scene import scene
+from landscape.walk import last, waiting
+from landscape.walk.app import Walk
+from landscape.walk.loop import run
+from landscape.walk.recording import Plan
+
+waiting.OFTEN = 0.0
+told = []
+show = waiting.Waiting.show
+def noted(self, language):
+    told.append(100 * self._steps // self.expected)
+    show(self, language)
+waiting.Waiting.show = noted
+
+kind = scene("hall")
+plan = Plan("hall", kind.settings, "hall", Pose(1.6, None, 2.6), (64, 48), only=("floor",))
+context = GLFWContext((64, 48), backend="osmesa")
+seen = []
+for _ in range(2):
+    walk = Walk(plan, Assets(), "osmesa", context=context, titled=True, keeps=True)
+    with walk:
+        run(walk, frames=2)
+        walk.hands.key(glfw.KEY_W, glfw.PRESS)
+        run(walk, frames=2)
+        walk.hands.key(glfw.KEY_ESCAPE, glfw.PRESS)
+        drawn = run(walk, frames=100)
+    seen.append([drawn, walk.to_title, bool(glfw.window_should_close(context.window))])
+ended = last.read()
+print(json.dumps([seen, told, ended.view, ended.pose.z < 2.6, last.picture().is_file()]))
+context.release()
+"""
+
+
+def test_escape_leads_back_to_the_title_and_the_walk_is_kept(tmp_path: Path) -> None:
+    done = python(WALKS, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
+    assert done.status == 0, done.err
+    seen, told, view, moved, picture = json.loads(done.out)
+    assert seen == [[0, True, False]] * 2
+    assert (view, moved, picture) == ("hall", True, True)
+    assert told[0] == 0 and sorted(told[: len(told) // 2]) == told[: len(told) // 2]
+    assert len(set(told)) > 3, "no progress is told"
