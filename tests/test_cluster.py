@@ -145,3 +145,12 @@ def test_without_dask_a_line_says_what_to_install(monkeypatch: pytest.MonkeyPatc
 def test_jobs_and_an_engine_exclude_each_other(shell: Shell, tmp_path: Path) -> None:
     words = ["film", "fig2a", "--out", tmp_path / "a.gif", "--engine", "tcp://127.0.0.1:1"]
     refused(shell(*words, "--jobs", "2"), "--engine: not with --jobs")
+
+
+def test_tls_without_a_certificate_ends_in_one_line() -> None:
+    pytest.importorskip("distributed", reason="needs the extra `cluster`")
+    with (
+        pytest.raises(InputError, match=r"127\.0\.0\.1:9: no scheduler answers"),
+        engine("tls://127.0.0.1:9", maker, print),
+    ):
+        pass

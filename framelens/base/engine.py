@@ -158,7 +158,7 @@ def engine(given: str, who: Who, refused: Callable[[InputError], None]) -> Itera
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
         client = Client(address, timeout=ANSWER, set_as_default=False)
-    except (OSError, ValueError, RuntimeError) as error:
+    except (OSError, ValueError, TypeError, RuntimeError) as error:  # a TypeError: no certificate
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise InputError(
             "--engine {given}: no scheduler answers ({reason})", given=given, reason=reason
