@@ -17,6 +17,11 @@ from landscape.course.ladder import NAMES, lesson
 from landscape.course.shelf import NAMES as NAMES_OF_EXERCISES
 
 
+# Of a page that only the index leads to: in the sidebar, which every page has, two hundred functions
+# would take half of the site.
+ORPHAN = "---\norphan: true\n---\n\n"
+
+
 @dataclass
 class Entry:
     """A function, without number and type: its variants, and who calls it where."""
@@ -90,11 +95,10 @@ def pages(language: str, index: Mapping[str, Entry]) -> dict[str, str]:
                 *rows,
             ]
         ),
-        "```{toctree}\n:hidden:\n\n" + "\n".join(e.base for e in entries) + "\n```",
     ]
     found = {"calls/index": "\n\n".join(front) + "\n"}
     for entry in entries:
-        found[entry.page] = _page(entry, language)
+        found[entry.page] = ORPHAN + _page(entry, language)
     return found
 
 
