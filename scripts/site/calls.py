@@ -16,7 +16,7 @@ from landscape.course import program_texts
 from landscape.course.ladder import NAMES, lesson
 from landscape.course.shelf import NAMES as NAMES_OF_EXERCISES
 
-# Of a page that only the index leads to: in the sidebar, which every page has, two hundred functions
+# Of a page that only the index leads to: in the sidebar, which every page has, the functions
 # would take half of the site.
 ORPHAN = "---\norphan: true\n---\n\n"
 
