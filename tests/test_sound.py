@@ -16,7 +16,7 @@ from landscape.scene.scene import Terrain, scene
 from landscape.sound import bank, steps, wind
 from landscape.sound.mixer import MOST, mix
 from landscape.sound.room import LN_1000, Room
-from landscape.sound.score import BOB, LOW, Heard, Score, footfalls, standing
+from landscape.sound.score import BOB, LOW, Heard, Key, Score, footfalls, standing
 from landscape.sound.sea import Shore, drawn_swell
 from landscape.sound.signal import QUANTUM, RATE, amplitude, decibels, rms
 from landscape.sound.soundscape import Ear, Soundscape, pan
@@ -80,6 +80,16 @@ def test_a_walk_has_no_clicks_no_dc_and_headroom() -> None:
     assert np.abs(np.diff(sound, axis=0)).max() < 0.05
     assert np.abs(sound.mean(axis=0)).max() < 1e-3
     assert -22.0 < decibels(float(np.abs(sound).max())) < -11.0
+
+
+def test_amplitudes_go_in_a_straight_line_from_one_frame_to_the_next() -> None:
+    flame, score = Soundscape(fires=np.zeros((1, 3)), windy=0.0), Score()
+    table = np.full((3, 2), 0.5, np.float32)
+    score.keys = [Key(0, flame, 0 * table, 1.0), Key(4, flame, table, 1.0)]
+    samples = 4 * QUANTUM
+    loop = bank.loop(bank.FIRE, None)[:, :samples].sum(axis=0)
+    expected = loop * 0.5 * np.arange(samples) / samples
+    assert np.abs(mix(score, 0, samples) - expected[:, None]).max() < 1e-6
 
 
 def test_nothing_is_above_the_limit_and_what_is_muted_is_silent() -> None:

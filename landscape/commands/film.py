@@ -194,7 +194,8 @@ def _draw(options: argparse.Namespace) -> int:
             return _draw_parts(film, out.suffix.lower(), workers, jobs, options)
         kept = write(film, out, jobs, options.quiet, workers)
     if found:
-        tell_of_no_effect(options, found, changes)
+        seen = {key: value for key, value in changes.items() if not key.startswith("sound.")}
+        tell_of_no_effect(options, found, seen if options.sound else changes)
     return finished(film, kept, options)
 
 
