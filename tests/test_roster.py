@@ -13,9 +13,10 @@ from commands import landscape, refused
 
 from framelens.base.errors import InputError
 from framelens.base.executor import Here
+from landscape.commands.exercise_class import _page_name
 from landscape.course.roster import grades, moodle, tables
-from landscape.course.roster.grades import Row, Rules, grade_class
-from landscape.course.roster.submissions import MOST_BYTES, submissions
+from landscape.course.roster.grades import Graded, Row, Rules, grade_class
+from landscape.course.roster.submissions import MOST_BYTES, Submission, submissions
 from landscape.course.shelf import exercise
 
 FOLDER = "{}_{}_assignsubmission_file"
@@ -226,6 +227,15 @@ def test_gradescopes_results_have_only_its_own_fields() -> None:
     assert [test["visibility"] for test in result["tests"]] == ["visible", "hidden"]
     assert sum(test["score"] for test in result["tests"]) == result["score"] == row.points
     assert sum(test["max_score"] for test in result["tests"]) == row.of
+
+
+def test_each_program_of_a_student_has_a_page_of_its_own() -> None:
+    folder = FOLDER.format("Bo", 1)
+    names = "one.py", "a/x.py", "b/x.py", "work.zip/x.py"
+    bo = Submission("Bo", folder=folder)
+    pages = [_page_name(Graded(Row("Bo", "1", f"{folder}/{name}"), bo)) for name in names]
+    assert pages == ["one.html", "a_x.html", "b_x.html", "work_zip_x.html"]
+    assert _page_name(Graded(Row("Bo", "1", ""), bo)) == "_.html"
 
 
 def test_a_worksheet_changes_in_two_columns_and_nowhere_else() -> None:

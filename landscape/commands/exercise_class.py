@@ -226,7 +226,7 @@ def _write(
             print(f"landscape: {text}", file=sys.stderr)
     if options.feedback is not None:
         files = [
-            (each.submission.folder, f"{_file_name(Path(each.row.file).stem)}.html", page)
+            (each.submission.folder, _page_name(each), page)
             for each in graded
             if each.submission.folder
             for page in [as_page([each], language, _)]
@@ -244,6 +244,12 @@ def _marks(graded: Sequence[Graded], _: Translator) -> dict[str, moodle.Mark]:
             best[row.id] = row.points
             marks[row.id] = moodle.Mark(f"{row.points:g}", tables.printable(told(row, _)))
     return marks
+
+
+def _page_name(each: Graded) -> str:
+    """Return the name of a page of feedback: that of the program, with its folders."""
+    inside = each.row.file.removeprefix(f"{each.submission.folder}/")
+    return f"{_file_name(inside.removesuffix('.py'))}.html"
 
 
 def _file_name(student: str) -> str:
