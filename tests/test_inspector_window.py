@@ -45,14 +45,14 @@ class Watched(Walk):
                 self.pressed += 1
                 press(pick)
             self.inspection.model.press = counted
-    def draw(self):
+    def draw(self, whole=False):
         inspection = self.inspection
         drawn = inspection.draw
         def noting(*args):
             drawn(*args)
             self.seen = self.pixels()
         inspection.draw = noting
-        super().draw()
+        super().draw(whole)
         inspection.draw = drawn
     def present(self):
         super().present()

@@ -164,8 +164,9 @@ def test_keys_mouse_and_gamepad_choose_and_one_key_leaves() -> None:
     assert done.status == 0, done.err
     found, ran, seen, error = json.loads(done.out)
     scenes = [["view", name] for name in SCENES]
+    flight = ["flyover", "canyon", "--set", "flyover.mode=filled", "--lang", "en"]
     assert found == [scenes[1], scenes[2], scenes[1], ["view", "fig35b"], None, None]
-    assert ran == [["lecture", "--lang", "en"], ["flyover", "--lang", "en"]]
+    assert ran == [["lecture", "--lang", "en"], flight]
     assert "the terminal says why" in " ".join(note for *_, note in seen)
     assert error == 0
     assert len({picture for picture, *_ in seen}) > 6, "the pictures are all the same"

@@ -669,3 +669,21 @@ def test_the_help_and_what_is_opened_beside_it_never_lie_over_each_other() -> No
     keys, left = (True, False), (False, True)
     assert shown[:6] == [keys, left, (False, False), keys, left, keys]
     assert seen[-1][2] == "nothing to save here"
+
+
+def test_the_title_is_met_in_a_window_and_one_key_leaves_it(
+    screen: dict[str, str], tmp_path: Path
+) -> None:
+    folders = {"LANDSCAPE_CACHE": str(tmp_path), "LANDSCAPE_CONFIG": str(tmp_path)}
+    words = [sys.executable, "-m", "landscape", "walk", "--fresh", "--mute"]
+    process = subprocess.Popen(words, env={**screen, **folders}, stderr=subprocess.PIPE)
+    try:
+        window = xdotool(screen, "search", "--sync", "--onlyvisible", "--name", "^landscape$")
+        xdotool(screen, "windowfocus", "--sync", window)
+        xdotool(screen, "key", "End", "Up", "Escape")
+        _, err = process.communicate(timeout=SECONDS)
+        assert (process.returncode, err) == (0, b"")
+    finally:
+        process.kill()
+        process.wait()
+    assert not list(tmp_path.iterdir()), "nothing was walked, so nothing is kept"

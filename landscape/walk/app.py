@@ -160,8 +160,10 @@ class Walk:
         if not self.place.is_open or size != self._size:
             behind = np.asarray(covering(self._first, size))
         else:
-            self._until = 0.0  # an earlier message would show under this one
-            self.draw()
+            # An earlier message would show under this one. The picture stands still for a while.
+            until, self._until = self._until, 0.0
+            self.draw(whole=True)
+            self._until = until
             behind = with_alpha(self.pixels())
         kind = self.place.kind
         self._waiting = Waiting(self._context, self._panel, self._word(text, **values), behind)
@@ -526,8 +528,8 @@ class Walk:
         steps = self.walker.step, self.walker.stroke
         return Moment(self.walker.pose, self._size, self.kt, *steps, self._wireframe, walking=True)
 
-    def draw(self) -> None:
-        """Draw the frame and the panel into the window's back buffer."""
+    def draw(self, whole: bool = False) -> None:
+        """Draw the frame and the panel into the window's back buffer; ``whole``: in all detail."""
         assert self._panel is not None and self._context is not None
 
         # Making the context current gives OSMesa a buffer of the window's new size.
@@ -536,7 +538,7 @@ class Walk:
         scene, shows = self.place.scene, self.place.shows(moment)
 
         # A screenshot has all the detail, and so has what the inspector looks into.
-        whole = self._shoot or self.inspection.open
+        whole = whole or self._shoot or self.inspection.open
         draw = partial(self.steady.draw, moment, scene.draw, whole, shows)
         self.inspection.draw(draw, (moment, *shows), self._size)
         if self._help:
@@ -607,7 +609,7 @@ class Walk:
         kind = self.place.kind
         begun = kind.named(self._begun) is not None
         self._help, self._until, self._row = False, 0.0, ""
-        self.draw()
+        self.draw(whole=True)
         view = self._begun if begun else kind.start
         keep_last(self.pixels(), LastWalk(view, self.walker.pose))
 

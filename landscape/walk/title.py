@@ -28,7 +28,8 @@ from landscape.walk.title_image import Drawn, Row, title_image
 SIZE = (1280, 720)  # chosen: a walk's window, in the window system's coordinates
 TO_TITLE = -1  # what a walk returns from which one goes back to the title
 REST = 0.02  # chosen: seconds between two looks at the keys
-COMMANDS = {"flyover": ("flyover",), "course": ("lecture",)}
+FILLED = "flyover.mode=filled"
+COMMANDS = {"flyover": ("flyover", "canyon", "--set", FILLED), "course": ("lecture",)}
 """What the title starts beside the walk: words of the command line."""
 
 
