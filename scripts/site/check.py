@@ -106,9 +106,10 @@ def _french(page: Page, home: Path) -> Iterator[str]:
     counts = []
     for word in ("lumière", "lumiere"):
         page.goto((home / "search.html").as_uri() + f"?q={word}")
-        page.locator("ul.search li a").first.wait_for()
+        page.wait_for_function("() => Search._pulse_status === -1")  # the results come one by one
         counts.append(page.locator("ul.search li a").count())
-    if not counts[0] or counts[0] != counts[1]:
+    # A title is searched as it is written, too.
+    if counts[1] < 0.9 * counts[0] or not counts[0]:
         yield f"fr: the search finds {counts[0]} pages with an accent and {counts[1]} without"
 
 
