@@ -20,7 +20,7 @@ from pathlib import Path
 
 SIZE = (64, 48)
 EARLIER = b"earlier" * 1000
-ASSETS = ("castle_light.png", "torch_stone.png")  # those that are made soonest
+ASSETS = ("castle_light.png",)  # the one that is made soonest
 OFTEN = 20  # chosen: kills until the file is written to the end again
 PATIENCE = 5.0  # seconds, chosen: until processes that were left must have ended
 
