@@ -2,6 +2,7 @@
 
 import argparse
 import ctypes
+import json
 import shutil
 import tomllib
 from pathlib import Path
@@ -16,7 +17,7 @@ from landscape.commands.exercise_check import as_text
 from landscape.course import exercise as exercises
 from landscape.course import solutions
 from landscape.course.exercise import Grader
-from landscape.course.grader import recorded
+from landscape.course.grader import recorded, stream
 from landscape.course.grader.recording import source
 from landscape.course.grader.trial import Trial
 from landscape.course.shelf import NAMES, exercise
@@ -123,3 +124,45 @@ def test_only_functions_of_opengl_are_called_and_with_numbers(call: object) -> N
 def test_what_cannot_be_made_again_is_not_recorded(argument: object) -> None:
     with pytest.raises(recorded.Unrecorded):
         recorded.Writer().frame([("glFogf", (argument,))])
+
+
+@each("size", [(0, 6), (8, 0), (-1, 6), (recorded.MOST_SIDE + 1, 6), (8, recorded.MOST_SIDE + 1)])
+def test_a_window_has_a_possible_size(size: tuple[int, int]) -> None:
+    def sent(size: tuple[int, int]) -> bytes:
+        return recorded.Writer().written("", [recorded.said(size, Trial([0], [], {}), [])])
+
+    assert recorded.parsed(sent(size)) is None
+    for possible in ((1, 1), (recorded.MOST_SIDE, recorded.MOST_SIDE)):
+        assert recorded.parsed(sent(possible)) is not None
+
+
+def test_arrays_are_pointed_to_again_only_where_that_has_changed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pointing = [("glVertexPointer", (3, 5126, 0, [1.0]))]
+    draw, disable = ("glDrawArrays", (4, 0, 3)), ("glDisableClientState", (0x8074,))
+    writer = recorded.Writer()
+    frame = writer.frame([pointing, draw, pointing, draw, disable, pointing, draw])
+    assert np.frombuffer(writer.blobs.all[frame], np.int32).tolist() == [0, 1, 1, 2, 0, 1]
+    monkeypatch.setattr(recorded, "MOST_CALLS", 4)
+    writer.frame([("glEnd", ())])
+    with pytest.raises(recorded.Unrecorded):
+        writer.frame([("glFlush", ())])
+
+
+@each("sizes", [[-1, 3], [1.0, 1], [True, 1], [1], [1, 2], ["1", 1], [2, 1]])
+def test_blobs_that_are_not_as_long_as_is_said_are_no_answer(sizes: list[object]) -> None:
+    def sent(sizes: list[object]) -> bytes:
+        text = json.dumps({"blobs": sizes}).encode()
+        return stream.LENGTH.pack(len(text)) + text + b"ab"
+
+    assert stream.received(sent([1, 1])) is not None and stream.received(sent([2])) is not None
+    assert stream.received(sent(sizes)) is None
+
+
+def test_a_text_that_is_too_long_is_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+    data = b"".join(stream.parts({"a": 1}))
+    monkeypatch.setattr(stream, "MOST_TEXT", len(data) - stream.LENGTH.size)
+    assert stream.received(data) is not None
+    monkeypatch.setattr(stream, "MOST_TEXT", len(data) - stream.LENGTH.size - 1)
+    assert stream.received(data) is None
