@@ -395,7 +395,9 @@ def test_the_error_for_an_unknown_asset_names_it(studio: Any, tmp_path: Path) ->
 def test_an_interrupted_build_leaves_only_complete_files(
     studio: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def make_all(names: list[str], executor: Executor | None) -> Iterator[tuple[str, bytes]]:
+    def make_all(
+        names: list[str], executor: Executor | None, jobs: int
+    ) -> Iterator[tuple[str, bytes]]:
         yield names[0], b"whole"
         raise KeyboardInterrupt
 

@@ -71,7 +71,7 @@ def test_other_commands_have_english_help_and_refuse_in_the_users_language() -> 
     assert help_.out.startswith("usage: landscape views") and "options:" in help_.out
     refused(landscape("walk", "--no-such", env=french), "arguments inconnus: --no-such")
     refused(landscape("render", "nowhere", env=french), "cette vue n\u2019existe pas")
-    refused(landscape("film", env=french), "il manque les arguments suivants: ", "--out")
+    refused(landscape("sound", env=french), "il manque les arguments suivants: ", "--out")
 
 
 def test_what_the_user_wrote_is_never_translated(tmp_path: Path) -> None:
