@@ -55,6 +55,38 @@ def by_c(path):
 """
 DEFECT = "says that the grader has a defect"
 ATTACKS = {
+    "makes files that nobody can delete": """
+for path in (Path(os.environ["TMPDIR"]) / "mine", Path(os.environ["TMPDIR"])):
+    file = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR | os.O_CREAT)
+    for request, flag in ((0x40086602, 0x10), (0x401C5820, 0x8)):
+        flags = (ctypes.c_uint32 * 7)(flag)
+        if C.ioctl(file, ctypes.c_ulong(request), flags) == 0:
+            leak("immutable")
+""",
+    "watches a folder that it must not read": """
+watch = C.inotify_init1(0)
+for folder in (OTHER.parent, HOME, COURSE):
+    if C.inotify_add_watch(watch, bytes(folder), 0xFFF) > 0:
+        leak(folder)
+""",
+    "keeps others from files, and hides files and itself": """
+file = os.open("/proc/self/exe", os.O_RDONLY)
+if C.fcntl(file, 1024, 0) == 0:
+    leak("lease")
+if C.fcntl(os.pipe()[1], 1031, 1 << 20) > 0:
+    leak("pipe")
+if C.socketpair(1, 1, 0, (ctypes.c_int * 2)()) == 0:
+    leak("pair of sockets")
+if C.prctl(4, 0, 0, 0, 0) == 0:
+    leak("not to be looked into")
+""",
+    "has what the program before it has sent": """
+frame = sys._getframe()
+while frame is not None:
+    for each in frame.f_locals.get("running", ()):
+        leak(f"{len(each.data)} bytes")
+    frame = frame.f_back
+""",
     "replaces a file of the home": """
 try:
     mine = Path(os.environ["TMPDIR"]) / "mine"

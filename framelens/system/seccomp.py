@@ -66,6 +66,12 @@ REFUSED: dict[str, Numbers] = {
         "socket": (41, 198),
         "connect": (42, 203),
         "bind": (49, 200),
+        "socketpair": (53, 199),  # files on their way through one are seen by nobody
+    },
+    "learns the names of files in folders that it must not read": {
+        "inotify_init": (253, None),
+        "inotify_init1": (294, 26),
+        "inotify_add_watch": (254, 27),
     },
     "does what other calls do, unseen by this filter": {
         "io_uring_setup": (425, 425),
@@ -164,12 +170,19 @@ CLONE, THREAD = (56, 220), 0x10000
 SIGNALS: Numbers = {"kill": (62, 129), "tgkill": (234, 131)}
 # What some values of an argument make of harmless calls: (numbers, which argument, values).
 VALUES: dict[str, tuple[tuple[int, int], int, tuple[int, ...]]] = {
-    # Live on without the parent, adopt its orphans, be looked into; change its own memory's map.
-    "prctl": ((157, 167), 0, (1, 36, 0x59616D61, 35)),
+    # Live on without the parent, adopt its orphans, be looked into or no more; change its own
+    # memory's map.
+    "prctl": ((157, 167), 0, (1, 36, 0x59616D61, 4, 35)),
     # F_SETOWN, F_SETSIG, F_SETOWN_EX, F_NOTIFY: a signal to another process when a file is ready.
-    "fcntl": ((72, 25), 1, (8, 10, 15, 1026)),
+    # F_SETLEASE: others wait who open a file. F_SETPIPE_SZ: root's pipes have no limit.
+    "fcntl": ((72, 25), 1, (8, 10, 15, 1026, 1024, 1031)),
     # FIOSETOWN and SIOCSPGRP, the same; TIOCSTI and TIOCLINUX, which type into a terminal.
-    "ioctl": ((16, 29), 1, (0x8901, 0x8902, 0x5412, 0x541C)),
+    # FS_IOC_SETFLAGS, for 64 and 32 bits, and FS_IOC_FSSETXATTR: a file that cannot be deleted.
+    "ioctl": (
+        (16, 29),
+        1,
+        (0x8901, 0x8902, 0x5412, 0x541C, 0x40086602, 0x40046602, 0x401C5820),
+    ),
 }
 PRLIMIT = (302, 261)  # may ask for limits, but set none: its third argument is 0
 

@@ -64,6 +64,10 @@ def serve(contain: str) -> None:
             for each in running:
                 replies.write(each.data)
             replies.flush()
+            # The next programs are copies of this process: they must not have what others sent.
+            for each in running:
+                each.forget()
+            running = []
 
 
 def _opens(ours: Prepared) -> bool:
@@ -114,6 +118,11 @@ class _Running:
         if overfull(self.folder):
             self.reason = FULL
         return self.reason == FULL
+
+    def forget(self) -> None:
+        """Overwrite what was sent, and drop it."""
+        self.data[:] = bytes(len(self.data))
+        self.data.clear()
 
     def end(self, late: bool) -> None:
         """End the process, if it has not ended, and note how it did."""
