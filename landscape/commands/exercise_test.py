@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--french",
         action="store_true",
-        help=_("add the texts that its fr.po has not to it, for you to translate"),
+        help=_("add to its fr.po the texts that it lacks, for you to translate"),
     )
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--json", action="store_true", help=_("print JSON"))

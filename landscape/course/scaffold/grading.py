@@ -74,7 +74,7 @@ def placed(work, solution):
         return hint(
             _(
                 "The hand leaves the dial when it turns: it goes around the middle of the window. "
-                "In which order are it turned and moved?"
+                "In which order is it turned and moved?"
             )
         )
     return hint(_("In frame 0 the hand begins somewhere else, not in the dial's middle."))
