@@ -333,6 +333,29 @@ def test_an_attack_reaches_nothing(name: str, grader: Grader, home: Path, port: 
     assert not list(grader._sandbox._place.folder.glob("[0-9]*"))  # type: ignore[union-attr]
 
 
+HOLDS = """
+import mmap
+C.mmap.argtypes = [ctypes.c_void_p, ctypes.c_size_t, *[ctypes.c_int] * 3, ctypes.c_long]
+for k in range(6):
+    path = os.environ["TMPDIR"] + f"/{k}"
+    file = os.open(path, os.O_RDWR | os.O_CREAT)
+    os.truncate(file, 60 << 20)
+    os.unlink(path)
+    if MAPPED:
+        C.mmap(None, 4096, mmap.PROT_READ, mmap.MAP_SHARED, file, 0)
+        os.close(file)
+wait()
+"""
+
+
+@pytest.mark.parametrize("mapped", [False, True])
+def test_deleted_files_that_a_program_holds_count(
+    mapped: bool, grader: Grader, home: Path, port: int
+) -> None:
+    report = attack(grader, home, port, f"MAPPED = {mapped}\n{HOLDS}")
+    assert report.error is not None and report.error["word"] == "full"
+
+
 def test_without_the_system_python_says_that_it_contains_the_program(home: Path) -> None:
     with Grader(SECONDS, NONE) as grader:
         assert grader.check(home / "work" / "other.py").contained == PYTHON

@@ -17,10 +17,19 @@ from typing import IO, Any
 
 from framelens.system import limits
 from landscape.course.grader.confinement import LANDLOCK
-from landscape.course.grader.sandbox import FULL, GRACE, LOOK, NOT_OPENED, Job, ended, errors_in
+from landscape.course.grader.sandbox import (
+    FILE_BYTES,
+    FULL,
+    GRACE,
+    LOOK,
+    NOT_OPENED,
+    Job,
+    ended,
+    errors_in,
+)
 from landscape.course.grader.sandboxed import Prepared, prepare, run_program
 from landscape.course.grader.stream import MOST_BYTES, PART, received
-from landscape.course.grader.workplace import overfull
+from landscape.course.grader.workplace import deleted_bytes, overfull
 
 assert sys.platform == "linux"  # as limits.FORKS says
 
@@ -115,7 +124,7 @@ class _Running:
         if time.monotonic() - self.looked < LOOK:
             return False
         self.looked = time.monotonic()
-        if overfull(self.folder):
+        if overfull(self.folder, deleted_bytes(self.pid, self.folder, FILE_BYTES)):
             self.reason = FULL
         return self.reason == FULL
 

@@ -111,9 +111,40 @@ def _deleted(path: Path) -> bool:
     return True
 
 
-def overfull(folder: Path) -> bool:
-    """Return whether there is more in a folder than a program may write."""
-    count = size = 0
+def deleted_bytes(pid: int, folder: Path, largest: int) -> int:
+    """Return how many bytes of files in a folder a process has deleted and still holds.
+
+    They take room until it closes them. One that is mapped alone, and closed, counts as the
+    ``largest`` that it may be: the mapping may be shorter. 0 where there is no /proc.
+    """
+    sizes: dict[tuple[int, int], int] = {}
+    ours = f"{folder}/"
+    with contextlib.suppress(OSError):
+        for number in os.listdir(f"/proc/{pid}/fd"):
+            with contextlib.suppress(OSError):
+                path = f"/proc/{pid}/fd/{number}"
+                found = os.stat(path)
+                if found.st_nlink == 0 and os.readlink(path).startswith(ours):
+                    sizes[found.st_dev, found.st_ino] = found.st_size
+
+    with contextlib.suppress(OSError):
+        for line in Path(f"/proc/{pid}/maps").read_text(errors="replace").splitlines():
+            words = line.split(maxsplit=5)
+            if len(words) == 6 and words[5].startswith(ours) and words[5].endswith(" (deleted)"):
+                major, minor = (int(number, 16) for number in words[3].split(":"))
+                sizes.setdefault((os.makedev(major, minor), int(words[4])), largest)
+
+    return sum(sizes.values())
+
+
+def overfull(folder: Path, deleted: int = 0) -> bool:
+    """Return whether there is more in a folder than a program may write.
+
+    ``deleted`` are bytes of files that it holds and that have no name there any more.
+    """
+    count, size = 0, deleted
+    if size > MOST_BYTES:
+        return True
     waiting = [str(folder)]
     while waiting:
         with contextlib.suppress(OSError), os.scandir(waiting.pop()) as entries:
