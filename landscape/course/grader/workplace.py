@@ -117,6 +117,8 @@ def deleted_bytes(pid: int, folder: Path, largest: int) -> int:
     They take room until it closes them. One that is mapped alone, and closed, counts as the
     ``largest`` that it may be: the mapping may be shorter. 0 where there is no /proc.
     """
+    if sys.platform == "win32":
+        return 0
     sizes: dict[tuple[int, int], int] = {}
     ours = f"{folder}/"
     with contextlib.suppress(OSError):
