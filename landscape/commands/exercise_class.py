@@ -247,7 +247,7 @@ def _marks(graded: Sequence[Graded], _: Translator) -> dict[str, moodle.Mark]:
 
 
 def _page_name(each: Graded) -> str:
-    """Return the name of a page of feedback: that of the program, with its folders."""
+    """Return the name of a feedback page: the program's, with its folders."""
     inside = each.row.file.removeprefix(f"{each.submission.folder}/")
     return f"{_file_name(inside.removesuffix('.py'))}.html"
 

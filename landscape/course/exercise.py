@@ -238,7 +238,7 @@ class Grader:
             jobs.append(job)
         outcomes = self._sandbox.run(jobs)
         if solution is None:
-            # A recorded one has no text: the tests compare with that of the start.
+            # A recorded one has no text: the tests compare with the text of the start.
             model = program or found.folder / "start.py"
             shown = _evidence(model, outcomes[1], frames)
             if not isinstance(shown, Evidence):
