@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError
-from framelens.base.texts import choose, said
+from framelens.base.texts import choose, said, translator
 from framelens.commands import option_values
 from framelens.commands.common import edits_option
 from framelens.commands.parser import language_option
@@ -20,6 +20,7 @@ from landscape.walk.pace import FPS
 
 if TYPE_CHECKING:
     from framelens.gl.contexts.glfw import GLFWContext
+    from landscape.walk.landmarks import Found
 
 EXAMPLE = "fig35a --fullscreen"
 BEGIN = (
@@ -121,36 +122,59 @@ def greet(options: argparse.Namespace) -> int:
     """Let the user choose in the title where to walk, until he leaves; return the exit status."""
     from framelens.gl.contexts.glfw import GLFWContext
     from landscape.walk import last, preferences
+    from landscape.walk.landmarks import Found
     from landscape.walk.title import SIZE, TO_TITLE, Title
 
-    wishes = preferences.read()[0] if not options.fresh else preferences.Preferences()
-    language = options.lang or wishes.language or choose(os.environ)
+    keeps = not options.fresh
+    wishes, wrong = preferences.read() if keeps else (preferences.Preferences(), [])
+    kept, damaged = Found.read() if keeps else (Found(), [])
     fullscreen = options.fullscreen or wishes.fullscreen
     context = GLFWContext(SIZE, "landscape", True, fullscreen, "auto", True)
     try:
-        title = Title(context, language)
+        language = options.lang or wishes.language or choose(os.environ)
+        title = Title(context, language, preferences=wishes, found=kept, tells=told, keeps=keeps)
+        lines = [said(message, title.language) for message in (*wrong, *damaged)]
+        notify(options, lines)
+        title.note = "\n".join(lines)
         while (entry := title.run()) is not None:
             if entry.kind == "last":
                 ended = last.read()
                 options.view, options.pose = (ended.view, ended.pose) if ended else ("", None)
             else:
                 options.view, options.pose = entry.value, None
+            options.lang = title.language
             try:
-                if walked(options, context) != TO_TITLE:
+                if walked(options, context, kept) != TO_TITLE:
                     break
             except InputError as error:
-                title.note = said(error, language)
+                title.note = said(error, title.language)
+            if keeps:
+                title.heed(preferences.read()[0])
     finally:
         context.release()
     return 0
 
 
-def walked(options: argparse.Namespace, context: "GLFWContext | None" = None) -> int:
+def told(name: str, language: str) -> tuple[str, ...]:
+    """Return a lesson's title and the paragraphs that say what it shows, in a language."""
+    from landscape.course.ladder import lesson
+
+    chosen = lesson(name)
+    translate = translator(language, "course", "lessons")
+    return tuple(map(translate, (chosen.title, *chosen.about)))
+
+
+def walked(
+    options: argparse.Namespace,
+    context: "GLFWContext | None" = None,
+    kept: "Found | None" = None,
+) -> int:
     """Walk from a view until the user leaves; return the exit status, or TO_TITLE.
 
-    ``context`` is the title's window, if the walk began there.
+    ``context`` is the title's window, if the walk began there, and ``kept`` what has been found.
     """
     from landscape.walk import preferences
+    from landscape.walk.landmarks import Found
     from landscape.walk.recording import MAX_NUMBER
     from landscape.walk.session import walk
 
@@ -166,6 +190,9 @@ def walked(options: argparse.Namespace, context: "GLFWContext | None" = None) ->
         begin = replace(begin, kt=options.kt)
 
     wishes, wrong = preferences.read() if not options.fresh else (preferences.Preferences(), [])
+    if kept is None:
+        kept, damaged = Found.read() if not options.fresh else (Found(), [])
+        wrong = [*wrong, *damaged]
     language = options.lang or wishes.language or choose(os.environ)
     notify(options, [said(message, language) for message in wrong])
     given = given_changes(options, kind)
@@ -185,7 +212,9 @@ def walked(options: argparse.Namespace, context: "GLFWContext | None" = None) ->
         assets=Assets(options.assets),
         language=options.lang or wishes.language,
         given=changes,
-        preferences=wishes,
+        preferences=wishes if not options.fresh else None,
         context=context,
+        found=kept,
+        tells=told,
         **{name: getattr(options, name) for name in PASSED_ON},
     )

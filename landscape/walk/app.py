@@ -4,6 +4,7 @@ Every frame (loop.py) advances the walk by one :class:`Tick`, live or from a rec
 does, so a replay reproduces a recorded walk to the pixel.
 """
 
+import os
 import time
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -14,7 +15,7 @@ from typing import Self
 import numpy as np
 
 from framelens.base.errors import InputError, NoOpenGLError
-from framelens.base.texts import said, translator
+from framelens.base.texts import choose, said, translator
 from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
 from framelens.gl.framebuffer import read_pixels
 from framelens.gl.glfw_library import glfw
@@ -34,24 +35,29 @@ from landscape.walk.digits import help_rows, hint, pressed
 from landscape.walk.hands import Hands
 from landscape.walk.hearing import Hearing, captioned, heard
 from landscape.walk.keys import SETTINGS
+from landscape.walk.landmarks import LANDMARKS, Found, Search
+from landscape.walk.landmarks_list import LandmarksList, Teller, nothing_told
 from landscape.walk.last import LastWalk, first_picture
 from landscape.walk.last import keep as keep_last
-from landscape.walk.list_image import list_image
+from landscape.walk.list_image import line_at, list_image, text_image
 from landscape.walk.pad import Pad, PadState, steered
 from landscape.walk.place import Place, Places, at_doors, list_picture
 from landscape.walk.preferences import Preferences, keep
 from landscape.walk.preferences_list import PreferencesList
 from landscape.walk.recording import MAX_SECONDS, Plan, Tick
 from landscape.walk.screen import FrameRate, FullScreen, hide_cursor, save_screenshot
+from landscape.walk.settings_list import Page
 from landscape.walk.sizes import Resizer, check_viewport
 from landscape.walk.speaker import Speaker
+from landscape.walk.start_command import start_command
 from landscape.walk.steady import Steady
 from landscape.walk.title_image import covering
 from landscape.walk.waiting import Waiting, with_alpha
 from landscape.walk.walker import Intent, aimed, start
 
-SHOWN = 2.0  # seconds for which a message is shown
-FADE = 0.5  # chosen: seconds, at the end of SHOWN, in which the message fades out
+SHOWN = 2.0  # seconds for which a message is shown, at least
+READ = 0.06  # chosen: seconds in which a character of a message is read
+FADE = 0.5  # chosen: seconds, at the end of that time, in which the message fades out
 REST = 0.05  # chosen: seconds between checks of a window that is minimised or has no area
 
 
@@ -76,15 +82,20 @@ class Walk:
         speaker: Callable[[], Speaker] | None = None,
         titled: bool = False,
         keeps: bool = False,
+        found: Found | None = None,
+        tells: Teller = nothing_told,
+        run_command: Callable[[Sequence[str]], int] = start_command,
     ) -> None:
         """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
 
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
         ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed;
-        ``preferences`` are the user's keys, mouse and comfort; ``speaker`` opens what the sound
-        comes from, None for a walk without a device. With ``titled`` Escape leads back to the title
-        instead of closing the window, which stays open; with ``keeps`` the walk is kept as the last
-        one.
+        ``preferences`` are the user's keys, mouse and comfort, None for those of a user without
+        any; ``speaker`` opens what the sound comes from, None for a walk without a device. With
+        ``titled`` Escape leads back to the title instead of closing the window, which stays open;
+        with ``keeps`` the walk is kept as the last one, and preferences that are changed are kept,
+        too. ``found`` are the landmarks that have been found; without it nobody looks for them.
+        ``tells`` has the texts of their lessons, and ``run_command`` runs one.
         """
         self.headless = backend in (*HEADLESS, "headless")
         self.place = Place(scene(plan.scene), plan.settings, plan.preset or None)
@@ -92,7 +103,7 @@ class Walk:
         self._places, self._door = Places(plan), ""
         self.kt = plan.kt
         self.seconds = self._stood = 0.0  # that the walk went on, and stood still
-        self._language = self._own_language = plan.language
+        self._language = plan.language
         self._wireframe = plan.wireframe
         self._help = False
         self._message = ""
@@ -108,7 +119,12 @@ class Walk:
         self._pad = Pad()
         self._pad_state = PadState()
         self.wishes = PreferencesList(preferences or Preferences())
+        self._keeps_wishes = keeps and preferences is not None
         self._heed(self.wishes.preferences)
+        self.landmarks = LandmarksList(found or Found(), tells)
+        self._search = Search() if found is not None else None
+        self._unsaid: list[str] = []  # landmarks that have been found and not been named yet
+        self._run_command = run_command
         self._builder = Builder(world, plan.language)
         self.hearing = Hearing(speaker)
         self._panel: Panel | None = None
@@ -188,8 +204,9 @@ class Walk:
         return words.text(self._language, key, **values)
 
     def _say(self, message: str) -> None:
-        """Show a message for SHOWN seconds of the walk."""
-        self._message, self._until = message, self.seconds + self._stood + SHOWN
+        """Show a message for SHOWN seconds of the walk, a long one until it can be read."""
+        lasts = max(SHOWN, READ * len(message))
+        self._message, self._until = message, self.seconds + self._stood + lasts
 
     def resting(self) -> bool:
         """Return whether the window is minimised or has no area; if so, wait a little."""
@@ -230,6 +247,8 @@ class Walk:
         settings = self.place.settings
         switches, toggled, said = pressed(self.place.kind, settings, keys, self._language)
         changes = self._changes({**toggled, **self._choose()})
+        self._choose_landmark()
+        self._find()
         note = self._note or said
         self._note = ""
 
@@ -239,7 +258,7 @@ class Walk:
 
     def _take_pad(self) -> list[str]:
         """Note the gamepad's state; return what its buttons do, besides orders and keys."""
-        listing = self.wishes.open or self.hands.listing
+        listing = bool(self.hands.choosing) or self.hands.listing
         self._pad_state, done, keys = self._pad.take(listing)
         if self.wishes.preferences.invert:
             axes = self._pad_state.axes
@@ -254,16 +273,22 @@ class Walk:
 
     def _choose(self) -> dict[str, Value]:
         """Carry out the keys pressed in the list of preferences; return what settings change."""
-        pressed, self.hands.choices = self.hands.choices, []
         before = self.wishes.preferences
+        if not self.wishes.open:
+            return {}
+        for line in self._clicked(self._wishes_page()):
+            self._point(self.wishes, *line)
+        pressed, self.hands.choices = self.hands.choices, []
         for key in pressed:
             self.wishes.key(key, system_name, self.place.kind.letters)
-        if pressed and not self.wishes.open:
+        if not self.wishes.open:
             self._keep()
         after = self.wishes.preferences
         if after == before:
             return {}
         self._heed(after)
+        if after.language != before.language:
+            self._language = after.language or choose(os.environ)
         kind = type(self.place.settings)
         former, wanted = before.changes(kind), after.changes(kind)
         usual = {
@@ -271,15 +296,88 @@ class Walk:
         }
         return {**wanted, **usual}
 
+    def _clicked(self, page: Page) -> list[tuple[int, bool]]:
+        """Return the lines of a list to which the mouse has gone, and whether they were clicked."""
+        assert self._panel is not None and self._context is not None
+        scale, dpi = self._context.scale(), self._panel.dpi
+        pointed, self.hands.pointed = self.hands.pointed, []
+        found = (
+            (line_at(page, self._size, dpi, x * scale, y * scale), down) for x, y, down in pointed
+        )
+        return [(line, down) for line, down in found if line is not None]
+
+    @staticmethod
+    def _point(chooser: PreferencesList | LandmarksList, line: int, down: bool) -> None:
+        """Choose a line of a list, and do with it what Enter does if it was clicked."""
+        chooser.point(line)
+        if down:
+            chooser.choose()
+
+    def _choose_landmark(self) -> None:
+        """Carry out the keys pressed in the list of landmarks; run the lesson that is asked for."""
+        if not self.landmarks.open:
+            return
+        if self.landmarks.reading:
+            if any(down for _, _, down in self.hands.pointed):
+                self.landmarks.choose()
+            self.hands.pointed = []
+        else:
+            page = self.landmarks.page(self._language, self.place, self.walker)
+            for line in self._clicked(page):
+                self._point(self.landmarks, *line)
+        pressed, self.hands.choices = self.hands.choices, []
+        for key in pressed:
+            self.landmarks.key(key)
+        if not self.landmarks.open:
+            self.hands.choosing = ""
+        lesson, self.landmarks.asked = self.landmarks.asked, ""
+        if lesson:
+            self._run_lesson(lesson)
+
+    def _run_lesson(self, lesson: str) -> None:
+        """Run a lesson in a window of its own, while this one is away and the walk stands still."""
+        assert self._context is not None
+        self.hands.focus(False)
+        glfw.hide_window(self.window)
+        status = self._run_command(["lesson", lesson, "--lang", self._language])
+        glfw.show_window(self.window)
+        self._context.make_current()
+        self._last = glfw.get_time()
+        if status:
+            self._note = self._word("title.failed")
+
+    def _find(self) -> None:
+        """Note the landmarks that the walker has come to, and name one when nothing else is said.
+
+        What is said becomes part of the frame: a replay says it, too, whatever has been found.
+        """
+        if self._search is None:
+            return
+        found = self.landmarks.found
+        for name in self._search.reached(self.place, self.walker):
+            if name not in found.names:
+                self._unsaid.append(name)
+                if wrong := found.add(name, self._language):
+                    self._note = said(wrong, self._language)
+        silent = not self._note and self._until <= self.seconds + self._stood
+        if self._unsaid and silent:
+            name = self._unsaid.pop(0)
+            landmark = next(each for each in LANDMARKS if each.name == name)
+            claimed = self.place.kind.letters
+            key = self.hands.keymap.labels("landmarks", self._language, system_name, claimed)
+            what = landmark.title(self._language)
+            self._note = self._word("landmarks.found", what=what, letter=key)
+
     def _heed(self, preferences: Preferences) -> None:
-        """Take the user's keys, mouse and language."""
+        """Take the user's keys and mouse."""
         self.hands.keymap = preferences.keys
         self.hands.speed, self.hands.inverted = preferences.mouse_speed, preferences.invert
-        self._language = preferences.language or self._own_language
 
     def _keep(self) -> None:
-        """Keep the preferences in the user's file, and leave the list."""
-        self.hands.choosing = False
+        """Leave the list, and keep the preferences in the user's file if they came from there."""
+        self.hands.choosing = ""
+        if not self._keeps_wishes:
+            return
         try:
             self._note = self._word("preferences.kept") if keep(self.wishes.preferences) else ""
         except InputError as error:
@@ -344,12 +442,8 @@ class Walk:
             self.hands.inspecting = self.inspection.toggle(self._language, letter)
             if self.hands.captured:
                 self.obey("release")
-        elif order == "preferences":
-            self._close_help()
-            self.wishes.toggle()
-            self.hands.choosing = self.wishes.open
-            if not self.wishes.open:
-                self._keep()
+        elif order in ("preferences", "landmarks"):
+            self._open_list(order)
         elif order == "save":
             self._note = self._builder.save(self.place.scene)
         else:
@@ -357,6 +451,18 @@ class Walk:
             # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
             hide_cursor(self.window, captured and self.place.settings.walk.mouse_relative)
             self.hands.capture(captured)
+
+    def _open_list(self, order: str) -> None:
+        """Open or shut the list of an order, which has all keys and the mouse meanwhile."""
+        self._close_help()
+        if self.hands.captured:
+            self.obey("release")
+        opened = self.wishes if order == "preferences" else self.landmarks
+        opened.toggle()
+        self.hands.choosing = order if opened.open else ""
+        self.hands.choices, self.hands.pointed = [], []
+        if order == "preferences" and not opened.open:
+            self._keep()
 
     def _close_help(self) -> None:
         """Close the list of keys, which would hide what is opened."""
@@ -498,14 +604,26 @@ class Walk:
         It is that of the inspector, or of a list.
         """
         assert self._panel is not None
-        if self.wishes.open:
-            page = self.wishes.page(self._language, system_name, self.place.kind.letters)
-            dpi = self._panel.dpi
-            return (page, dpi), lambda: list_image(page, self._size, dpi)
+        if self.hands.choosing:
+            return self._choosing(self._panel.dpi)
         if self.inspection.open or not self._row:
             return self.inspection.image(self._panel.dpi)
         shown = self._row, self._done, self._language
         return list_picture(self.place, *shown, self._size, self._panel.dpi)
+
+    def _wishes_page(self) -> Page:
+        return self.wishes.page(self._language, system_name, self.place.kind.letters)
+
+    def _choosing(self, dpi: float) -> tuple[Hashable, Callable[[], np.ndarray]]:
+        """Return what the picture of the open list depends on, and how to make it."""
+        if self.landmarks.reading:
+            texts = self.landmarks.text(self._language)
+            return (texts, dpi), lambda: text_image(texts, self._size, dpi)
+        if self.wishes.open:
+            page = self._wishes_page()
+        else:
+            page = self.landmarks.page(self._language, self.place, self.walker)
+        return (page, dpi), lambda: list_image(page, self._size, dpi)
 
     def _switch_fix(self, name: str) -> None:
         """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""

@@ -52,8 +52,10 @@ class Hands:
         self.captured = False
         self.listing = False  # whether the list of settings is open
         self.picks: list[str] = []  # what was asked of it, see PICKS
-        self.choosing = False  # whether the list of preferences is open: it has all keys
+        self.choosing = ""  # the order that has opened a list which has all keys and the mouse
         self.choices: list[int] = []  # keys that were pressed meanwhile
+        # Where the mouse was meanwhile, in coordinates, and whether its left button went down.
+        self.pointed: list[tuple[float, float, bool]] = []
         self.speed = 1.0  # times which the mouse's motion counts
         self.inverted = False  # whether the view goes up when the mouse goes down
         self.inspecting = False  # whether the inspector is open: it has some keys, and the mouse
@@ -104,7 +106,7 @@ class Hands:
         if action == glfw.RELEASE:
             self._held.discard(key)
             self.requests.key(key, action, mods)
-        elif self.choosing and self.keymap.positions.get(key) != "preferences":
+        elif self.choosing and self._action(key) != self.choosing:
             self.choices.append(key)
             return
         elif self.inspecting and self.requests.key(key, action, mods):
@@ -157,6 +159,10 @@ class Hands:
         if self.inspecting:
             self.requests.button(button, action, mods)
             return
+        if self.choosing and action == glfw.PRESS:
+            if button == glfw.MOUSE_BUTTON_LEFT:
+                self.pointed.append((*self._at, True))
+            return
 
         if self.building:
             if button in TOOLS:
@@ -187,7 +193,10 @@ class Hands:
 
     def wheel(self, notches: float) -> None:
         """Note that the wheel was turned, up where ``notches`` is positive; may be a fraction."""
-        if self.inspecting:
+        if self.choosing:
+            steps = self._wheel.steps(notches)
+            self.choices += [glfw.KEY_UP if steps > 0 else glfw.KEY_DOWN] * abs(steps)
+        elif self.inspecting:
             self.requests.wheel(notches)
         elif self.building:
             steps = self._wheel.steps(notches)
@@ -197,6 +206,9 @@ class Hands:
         """Note that the mouse is at x, y in coordinates; its motion turns the view."""
         self._at = x, y
         self.requests.motion(x, y, heeded=self.inspecting)
+        if self.choosing:
+            self.pointed = [each for each in self.pointed if each[2]] + [(x, y, False)]
+            return
         if self._pressed is not None and not self._dragging:
             self._dragging = math.dist(self._pressed, (x, y)) > DRAG * self.fineness
             self._last = None

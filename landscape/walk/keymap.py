@@ -118,7 +118,7 @@ class Keymap:
         binding = next(b for b in BINDINGS if b.action == action)
         if not binding.letter:
             return binding.keys
-        return (self.places(name, claimed)[letter_of(binding, claimed)],)
+        return self.places(name, claimed)[letter_of(binding, claimed)], *binding.keys
 
     def owner(self, key: int, name: Namer, claimed: Collection[str] = ()) -> str:
         """Return the action that a key has, "" if it is free."""
@@ -157,6 +157,8 @@ class Keymap:
             keys = [key for each in parts for key in self.held(each)[:1]]
         else:
             keys = list(self.keys_of(action, name, claimed))
+            if action in LETTERS.values() and action not in self.chosen:
+                del keys[1:]  # the letter is easier to remember
         return " ".join(key_label(key, language, name) for key in keys)
 
     def letter_label(

@@ -24,9 +24,9 @@ class Binding:
 
     ``kind`` is "held" (acts while a key is down), "switch" (acts on the walk, so recordings keep
     it) or "order" (acts on the window). ``setting`` is the key of the setting that a switch
-    toggles, or whose next value it takes. ``keys`` are positions, unless ``letter`` is set: then
-    the key is the one that this letter is printed on. In a scene that has this letter for itself
-    (Scene.letters), the one that ``elsewhere`` is printed on stands for it.
+    toggles, or whose next value it takes. ``keys`` are positions. With a ``letter`` the key is the
+    one that this letter is printed on, and ``keys`` do the same. In a scene that has this letter
+    for itself (Scene.letters), the one that ``elsewhere`` is printed on stands for it.
     """
 
     action: str
@@ -64,10 +64,11 @@ BINDINGS = (
     Binding("save", (glfw.KEY_F5,), ORDER),
     Binding("list", letter="L", elsewhere="O"),
     Binding("preferences", (glfw.KEY_F2,), ORDER),
+    Binding("landmarks", letter="B", kind=ORDER),
     Binding("inspector", letter="I", kind=ORDER),
     Binding("fullscreen", (glfw.KEY_F11,), ORDER),
     Binding("screenshot", (glfw.KEY_F12,), ORDER),
-    Binding("help", letter="H"),
+    Binding("help", (glfw.KEY_F1,), letter="H"),
     Binding("escape", (glfw.KEY_ESCAPE,), ORDER),
 )
 

@@ -1,5 +1,8 @@
 """The picture of the list of settings: the rows around the chosen one, and what that one is."""
 
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -12,6 +15,7 @@ from landscape.walk.settings_list import Line, Page
 SIZE = 0.8  # chosen: of the panel's text, so that the list leaves most of the picture free
 SPACING = 1.35  # chosen: line height, in font sizes
 WIDEST = 0.48  # chosen: of the window's width
+WIDE = 40  # chosen: of a text to be read, in font sizes
 LEAST = 12  # chosen: pixels, the list's font size unless the window's text is smaller still
 CHOSEN = (88, 84, 58, 225)  # chosen: RGBA behind the chosen row
 DEFAULT = (165, 175, 180)  # chosen: RGB of the preset's value, and of rows without effect
@@ -32,8 +36,35 @@ def _columns(rows: tuple[tuple[str, str], ...], pixels: int) -> tuple[float, flo
     return max(map(face.getlength, names)), max(map(face.getlength, values))
 
 
-def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
-    """Render the list on a plate for a window of ``size`` pixels, uint8 (h, w, 4).
+@dataclass(frozen=True)
+class Layout:
+    """How a page is laid out on its plate: sizes in pixels, and which lines it has room for.
+
+    ``pixels`` is the font's size, ``names`` the width of the lines' names.
+    """
+
+    pixels: int
+    names: float
+    width: int
+    height: int
+    first: int
+    end: int
+    below: tuple[str, ...]
+
+    @property
+    def line_height(self) -> int:
+        """The height of a line."""
+        return round(SPACING * self.pixels)
+
+    @property
+    def top(self) -> int:
+        """Where the first line begins, from the plate's top."""
+        return round(1.5 * self.pixels) + self.line_height
+
+
+@lru_cache(maxsize=4)
+def layout(page: Page, size: tuple[int, int], dpi: float = 1.0) -> Layout:
+    """Lay a page out for a window of ``size`` pixels.
 
     It is as high as the window allows; the rows scroll so that the chosen one can be seen.
     """
@@ -48,16 +79,33 @@ def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarra
         if width <= WIDEST * size[0]:
             break
     edge, line_height = pixels, round(SPACING * pixels)
-    below = [
+    below = tuple(
         part
         for text in page.below
         for part in wrapped(writable(text, face), face, width - 2 * edge)
-    ]
+    )
     # In a very small window the rows come first.
     below = below[: max(int(0.94 * size[1] - 3 * edge) // line_height - 5, 0)]
     around = 3 * edge + (1 + len(below)) * line_height
     height = max(int(0.94 * size[1]), around + line_height)
     first, end = visible(page.lines, (height - around) // line_height)
+    return Layout(pixels, names, width, height, first, end, below)
+
+
+def line_at(page: Page, size: tuple[int, int], dpi: float, x: float, y: float) -> int | None:
+    """Return the number of the page's line at a place in pixels from the window's top left."""
+    laid = layout(page, size, dpi)
+    right = x - size[1] // 48
+    down = y - (size[1] - laid.height) / 2 - laid.top
+    number = laid.first + math.floor(down / laid.line_height)
+    return number if 0 <= right < laid.width and laid.first <= number < laid.end else None
+
+
+def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
+    """Render the list on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
+    laid = layout(page, size, dpi)
+    face, edge, line_height = font(laid.pixels), laid.pixels, laid.line_height
+    width, height = laid.width, laid.height
     image = Image.new("RGBA", (width, height), PLATE)
     draw = ImageDraw.Draw(image)
 
@@ -65,8 +113,8 @@ def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarra
         draw.text((x, y), writable(text, face), colour, face, anchor)
 
     write(edge, edge, page.title, TITLE)
-    y = round(1.5 * edge) + line_height
-    for line in page.lines[first:end]:
+    y = laid.top
+    for line in page.lines[laid.first : laid.end]:
         if line.chosen:
             box = (edge // 2, y - edge // 8, width - edge // 2, y + line_height - edge // 4)
             draw.rectangle(box, CHOSEN)
@@ -74,12 +122,34 @@ def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarra
             write(edge, y, line.name, KEYS)
         else:
             write(2 * edge, y, line.name, DEFAULT if line.idle else WORDS)
-            write(names + 3 * edge, y, line.value, DEFAULT if line.idle else TITLE)
+            write(laid.names + 3 * edge, y, line.value, DEFAULT if line.idle else TITLE)
             after = face.getlength(writable(f"{line.value}  ", face))
-            write(names + 3 * edge + after, y, line.default, DEFAULT)
+            write(laid.names + 3 * edge + after, y, line.default, DEFAULT)
         y += line_height
-    y = height - edge - len(below) * line_height
-    for text in below:
+    y = height - edge - len(laid.below) * line_height
+    for text in laid.below:
         write(edge, y, text, WORDS)
         y += line_height
+    return np.asarray(image)
+
+
+def text_image(texts: Sequence[str], size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
+    """Render a title and paragraphs on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
+    for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
+        face = font(pixels)
+        width = round(min(WIDEST * size[0], WIDE * pixels))
+        paragraphs = [wrapped(writable(text, face), face, width - 2 * pixels) for text in texts]
+        line_height = round(SPACING * pixels)
+        height = 2 * pixels + sum((len(each) + 0.5) * line_height for each in paragraphs)
+        if height <= 0.94 * size[1]:
+            break
+    image = Image.new("RGBA", (max(width, 1), max(round(height), 1)), PLATE)
+    draw = ImageDraw.Draw(image)
+    y = float(pixels)
+    for number, lines in enumerate(paragraphs):
+        colour = TITLE if number == 0 else KEYS if number == len(paragraphs) - 1 else WORDS
+        for line in lines:
+            draw.text((pixels, y), line, colour, face, "la")
+            y += line_height
+        y += 0.5 * line_height
     return np.asarray(image)

@@ -34,13 +34,19 @@ BUTTONS = {
     glfw.GAMEPAD_BUTTON_LEFT_BUMPER: "previous_slot",
     glfw.GAMEPAD_BUTTON_RIGHT_BUMPER: "next_slot",
     glfw.GAMEPAD_BUTTON_DPAD_UP: "preferences",
+    glfw.GAMEPAD_BUTTON_DPAD_LEFT: "landmarks",
     glfw.GAMEPAD_BUTTON_DPAD_DOWN: "screenshot",
     LEFT_TRIGGER: "place",
     RIGHT_TRIGGER: "dig",
 }
-ORDERS = ("release", "preferences", "screenshot")  # those of them that are orders to the window
+ORDERS = (
+    "release",
+    "preferences",
+    "landmarks",
+    "screenshot",
+)  # those of them that are orders to the window
 TOOLS = ("strike", "fly", "dig", "place")  # those that are part of the intent
-# What it does, as a key, while a list is open.
+# What it does, as a key, while a list or the title is open.
 IN_A_LIST = {
     glfw.GAMEPAD_BUTTON_DPAD_UP: glfw.KEY_UP,
     glfw.GAMEPAD_BUTTON_DPAD_DOWN: glfw.KEY_DOWN,
@@ -49,6 +55,8 @@ IN_A_LIST = {
     glfw.GAMEPAD_BUTTON_A: glfw.KEY_ENTER,
     glfw.GAMEPAD_BUTTON_B: glfw.KEY_ESCAPE,
     glfw.GAMEPAD_BUTTON_X: glfw.KEY_BACKSPACE,
+    glfw.GAMEPAD_BUTTON_Y: glfw.KEY_F2,
+    glfw.GAMEPAD_BUTTON_START: glfw.KEY_F1,
 }
 
 

@@ -217,12 +217,12 @@ def read() -> tuple[Preferences, list[Said]]:
         return parsed(text, path)
     except (ValueError, RecursionError) as error:  # TOMLDecodeError and UnicodeDecodeError as well
         assert path is not None
-        return Preferences(), [_kept_aside(path, error)]
+        return Preferences(), [kept_aside(path, error)]
     except InputError as error:
         return Preferences(), [error]
 
 
-def _kept_aside(path: Path, error: Exception) -> Message:
+def kept_aside(path: Path, error: Exception) -> Message:
     """Rename a damaged file; return what is said about it."""
     number = 1
     while (aside := path.with_name(f"{path.name}.damaged-{number}")).exists():

@@ -10,7 +10,7 @@ from dataclasses import replace
 from framelens.base.errors import InputError
 from framelens.base.texts import said
 from framelens.gl.glfw_library import glfw
-from framelens.inspector.keys import Namer
+from framelens.inspector.keys import Namer, us_name
 from landscape.walk import words
 from landscape.walk.keymap import ACTIONS
 from landscape.walk.keys import pick
@@ -70,6 +70,16 @@ class PreferencesList:
             self._step({"more": 1, "less": -1, "switch": 1}.get(picked, 0))
         elif picked == "switch":
             self.waiting = True
+
+    def point(self, line: int) -> None:
+        """Choose the row in a line of the page, if there is one; no key is waited for any more."""
+        number = line - 1 if line <= len(VALUES) else line - 2
+        if line not in (0, len(VALUES) + 1):
+            self.index, self.waiting = number, False
+
+    def choose(self) -> None:
+        """Do with the chosen row what Enter does."""
+        self.key(glfw.KEY_ENTER, us_name)
 
     def _go(self, rows: int) -> None:
         self.index = (self.index + rows) % len(ROWS)

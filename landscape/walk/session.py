@@ -18,6 +18,8 @@ from landscape.walk import words
 from landscape.walk.app import Walk
 from landscape.walk.builder import WorldFile
 from landscape.walk.course import Course
+from landscape.walk.landmarks import Found
+from landscape.walk.landmarks_list import Teller, nothing_told
 from landscape.walk.loop import run
 from landscape.walk.pace import FPS
 from landscape.walk.preferences import Preferences
@@ -49,6 +51,8 @@ def walk(
     path: str | None = None,
     preferences: Preferences | None = None,
     context: GLFWContext | None = None,
+    found: Found | None = None,
+    tells: Teller = nothing_told,
 ) -> int:
     """Walk a scene in a window until the user leaves; return the exit status.
 
@@ -62,10 +66,11 @@ def walk(
     only reads; a recording does not contain what is in them. ``path`` is an SVG file, or the name
     of an environment of the fly-over, along whose path the walk begins; it cannot be recorded.
     ``given`` are the settings among ``settings`` that the user has set: they go with him through
-    doors. ``preferences`` are the user's keys, mouse and comfort; a replay takes the keys alone.
-    The title passes on its window as ``context``: it stays open, and TO_TITLE is returned if the
-    user wants back.
-    Raises InputError and NoOpenGLError.
+    doors. ``preferences`` are the user's keys, mouse and comfort, None without them; a replay takes
+    the keys alone. ``found`` are the landmarks that have been found, ``tells`` has the texts of
+    their lessons. A walk that is recorded begins with none found, so that a recording is the same
+    for everybody. The title passes on its window as ``context``: it stays open, and TO_TITLE is
+    returned if the user wants back. Raises InputError and NoOpenGLError.
     """
     if backend == "cgl":
         raise InputError("--backend cgl: it opens no window; expected auto, glfw or software")
@@ -132,6 +137,8 @@ def walk(
             speaker=Speaker if listens else None,
             titled=context is not None,
             keeps=live,
+            found=(Found() if record is not None or found is None else found) if live else None,
+            tells=tells,
         ) as opened:
             course = None
             if environment is not None:

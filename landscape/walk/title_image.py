@@ -74,7 +74,8 @@ def title_image(
 ) -> Drawn:
     """Render the title for a window of ``size`` pixels.
 
-    ``below`` says how to choose, or what went wrong; ``behind`` is a picture of what is chosen.
+    ``below`` are paragraphs: how to choose, what went wrong, or a text to be read; ``behind`` is a
+    picture of what is chosen.
     """
     image = covering(behind, size)
     for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
@@ -84,7 +85,11 @@ def title_image(
             break
     large, line, edge = font(round(LARGE * pixels)), round(SPACING * pixels), 2 * pixels
     width = min(max(round(wide), 18 * pixels), size[0])
-    notes = wrapped(writable(below, face), face, width - 2 * edge)
+    notes = [
+        line
+        for paragraph in below.split("\n")
+        for line in wrapped(writable(paragraph, face), face, width - 2 * edge)
+    ]
     around = 4 * edge + len(notes) * line
     count = max(min(len(rows), (round(TALLEST * size[1]) - around) // line), 1)
     first = max(min(chosen - count // 2, len(rows) - count), 0)
