@@ -20,6 +20,8 @@ from landscape.flyover.settings import PRESETS, Settings
 from landscape.settings.declare import get, next_value, with_settings
 from landscape.walk import words
 from landscape.walk.free_flight import LEAST, STEEPEST, advance, moves
+from landscape.walk.keymap import Keymap
+from landscape.walk.preferences import Preferences
 from landscape.walk.walker import Intent
 
 SIZE = (96, 72)
@@ -146,7 +148,7 @@ def test_it_ends_after_the_frames_that_are_asked_for(
     drawn = []
 
     class Window:
-        def __init__(self, *given: object) -> None:
+        def __init__(self, *given: object, preferences: Preferences) -> None:
             self.given, self.time = given, 0.0
 
         def listen(self) -> bool:
@@ -174,3 +176,29 @@ def test_it_ends_after_the_frames_that_are_asked_for(
     options.fullscreen, options.quiet = True, True
     assert show(open_environment("island"), Settings(), options) == 0
     assert drawn[0] == "filled" and capsys.readouterr().out == ""
+
+
+def test_it_heeds_the_preferences_and_has_no_list_of_settings() -> None:
+    need_library("OSMesa")
+    keys = Keymap({"forward": (glfw.KEY_I,), "help": (glfw.KEY_F3,)})
+    wishes = Preferences(mouse_speed=2.0, invert=True, text_size=2.0, keys=keys)
+    window = Flying(
+        open_environment("island"), Settings(), SIZE, "en", headless=True, preferences=wishes
+    )
+    try:
+        assert (window.hands.speed, window.hands.inverted) == (2.0, True)
+        assert window._message.startswith("F3")
+        assert ("I A S D", window._word("flyover.move")) in window.rows(us_name)
+        press(window, glfw.KEY_L)
+        window.listen()
+        for key, forward in ((glfw.KEY_W, 0.0), (glfw.KEY_I, 1.0)):
+            window.key(key, glfw.PRESS)
+            assert window.hands.take()[0].forward == forward
+            window.key(key, glfw.RELEASE)
+        press(window, glfw.KEY_LEFT)
+        assert window.hands.take()[0].turn == -1.0
+        usual = window._panel.dpi
+        window.draw()
+        assert window._panel.dpi > usual
+    finally:
+        window.close()

@@ -2,15 +2,18 @@
 
 import argparse
 import json
+import os
 import sys
 from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.output import check_writable, output_paths, save_png, write_whole
 from framelens.base.progress import Progress
+from framelens.base.texts import choose, said
 from framelens.commands import option_values
 from framelens.commands.common import quiet_option
 from framelens.commands.parser import language_option
+from framelens.commands.reporting import notify
 from landscape import __version__
 from landscape.commands.common import settings_options
 from landscape.flyover import crew, exchange
@@ -31,6 +34,8 @@ FASTEST = 1000.0  # frames per second, chosen
 MOST_FRAMES = 100_000  # chosen: almost an hour at 30 frames per second
 FILMS = (".mp4", ".webm", ".gif")
 SEVERAL = 8  # pictures, chosen: fewer are drawn before another process is ready
+
+FRESH = "in the window, without the preferences that F2 in a walk changes and keeps"
 
 EXAMPLE = "alps --set flyover.mode=filled"
 EXPORT = "export"
@@ -86,6 +91,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--export", type=Path, dest="folder", metavar="DIR", help=FOLDER)
 
     parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
+    parser.add_argument("--fresh", action="store_true", help=FRESH)
     parser.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
     settings_options(
         parser,
@@ -156,8 +162,13 @@ def run(options: argparse.Namespace) -> int:
 
     if options.out is None:
         from landscape.flyover.app import window
+        from landscape.walk import preferences
+        from landscape.walk.preferences import Preferences
 
-        return window.show(environment, values, options)
+        wishes, wrong = preferences.read() if not options.fresh else (Preferences(), [])
+        language = options.lang or wishes.language or choose(os.environ)
+        notify(options, [said(message, language) for message in wrong])
+        return window.show(environment, values, options, wishes)
     if options.out.suffix.lower() in FILMS:
         from landscape.flyover.app import film
 

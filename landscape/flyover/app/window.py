@@ -14,7 +14,7 @@ from framelens.gl.glfw_library import glfw
 from framelens.gl.screen_picture import ScreenPicture
 from framelens.gl.seam import gl
 from framelens.inspector.keys import Namer, system_name
-from framelens.inspector.panel import Panel
+from framelens.inspector.panel import Panel, enlarged
 from landscape.flyover.crew import Crew, processes
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
@@ -23,8 +23,8 @@ from landscape.settings.declare import with_settings
 from landscape.walk import words
 from landscape.walk.free_flight import advance, moves
 from landscape.walk.hands import Hands
-from landscape.walk.keymap import DEFAULT
 from landscape.walk.keys import pick
+from landscape.walk.preferences import Preferences
 from landscape.walk.screen import FullScreen, hide_cursor, save_screenshot
 
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
@@ -71,13 +71,25 @@ LONGEST = 0.25  # seconds, chosen: after a longer pause the flight goes on where
 COUNTED, SHOWN = 0.5, 2.5  # seconds, chosen: between two counts, and that a message is shown
 
 
-def show(environment: Environment, settings: Settings, options: argparse.Namespace) -> int:
-    """Fly until the user closes the window, or for --frames frames; return the exit status."""
-    language = options.lang or choose(os.environ)
+def show(
+    environment: Environment,
+    settings: Settings,
+    options: argparse.Namespace,
+    preferences: Preferences | None = None,
+) -> int:
+    """Fly until the user closes the window, or for --frames frames; return the exit status.
+
+    ``preferences`` are the user's keys, mouse, language and comfort.
+    """
+    wishes = preferences or Preferences()
+    language = options.lang or wishes.language or choose(os.environ)
     jobs = processes(options.jobs)
-    window = Flying(environment, settings, options.size or SIZE, language, not options.size, jobs)
+    size = options.size or SIZE
+    window = Flying(
+        environment, settings, size, language, not options.size, jobs, preferences=wishes
+    )
     window.time = options.at
-    if options.fullscreen:
+    if options.fullscreen or wishes.fullscreen:
         window.fill_screen()
     drawn, begun = 0, time.perf_counter()
     try:
@@ -113,8 +125,10 @@ class Flying:
         enlarged: bool = False,
         jobs: int = 1,
         headless: bool = False,
+        preferences: Preferences | None = None,
     ) -> None:
         """Open the window, and let ``jobs`` processes draw; InputError, NoOpenGLError."""
+        wishes = preferences or Preferences()
         self.settings, self._language = settings, language
         self.terrain = environment.field(settings.flyover)
         self.flight = environment.flight(self.terrain, settings.flyover)
@@ -142,16 +156,17 @@ class Flying:
         glfw.set_window_title(window, f"landscape, {environment.name}")
         if not headless:
             glfw.swap_interval(1)
-        self.hands = Hands(system_name)
+        self.hands = Hands(system_name, wishes.keys)
+        self.hands.speed, self.hands.inverted = wishes.mouse_speed, wishes.invert
         self.hands.listen(window)
         glfw.set_key_callback(window, lambda _, key, __, action, mods: self.key(key, action, mods))
-        self._panel = Panel(
-            self._word("flyover.title"), (), max(glfw.get_window_content_scale(window))
-        )
+        self._dpi, self._larger = max(glfw.get_window_content_scale(window)), wishes.text_size
+        self._panel = Panel(self._word("flyover.title"), (), self._dpi)
         self._full_screen = FullScreen(self.context.size)
         self._last = self._since = glfw.get_time()
         self._frames = 0
-        self._say(self._word("hint", letter=DEFAULT.labels("help", language, system_name)))
+        letter = self.hands.keymap.labels("help", language, system_name)
+        self._say(self._word("hint", letter=letter))
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)
@@ -179,6 +194,8 @@ class Flying:
             if order == "quit":
                 return False
             self._obey(order)
+        # There is no list of settings here, which would have the arrow keys for itself.
+        self.hands.listing, self.hands.picks = False, []
         intent, switches = self.hands.take()
         self.advance(intent, switches, seconds)
         return not glfw.window_should_close(self.context.window)
@@ -241,7 +258,7 @@ class Flying:
     def rows(self, name: Namer = system_name) -> list[tuple[str, str]]:
         """Return the rows of the help: keys, and what they do."""
         found = [
-            (DEFAULT.labels(action, self._language, name), self._word(text))
+            (self.hands.keymap.labels(action, self._language, name), self._word(text))
             for action, text in WALKING.items()
         ]
         found.append(("+ -", self._word("flyover.speed")))
@@ -269,6 +286,7 @@ class Flying:
         if self._help:
             self._panel.set_rows(self.rows())
         message = self._message if now < self._until else self._counted
+        self._panel.dpi = enlarged(size, self._dpi, self._larger)
         self._panel.draw(size, self._help, message)
         self.context.show()
         return True
