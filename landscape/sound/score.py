@@ -18,6 +18,7 @@ from landscape.sound.soundscape import Ear, Soundscape
 
 BOB = 6.0 * math.pi  # section 8.2: the head bobs by cos(step / 3)
 LOW = 3.0 * math.pi  # step of the first low point: there a foot comes down
+UNEVEN = 0.06  # chosen: strides by which a foot may come down earlier or later
 MOST_AT_ONCE = 3  # chosen: of one sound between two frames; more would be noise
 DUG_AHEAD = 0.9  # chosen: amplitude of a block within reach
 SIDE = 25.0  # chosen: degrees to the left and to the right at which the feet are heard
@@ -88,7 +89,7 @@ class Score:
     def _happened(self, then: Heard, now: Heard, begin: int, end: int) -> None:
         """Add the events of the time between two moments, samples ``begin`` to ``end``."""
         for number in footfalls(then.step, now.step):
-            share = (LOW + BOB * number - then.step) / (now.step - then.step)
+            share = (foot_down(number) - then.step) / (now.step - then.step)
             place = now.ear
             ground = now.soundscape.ground(place.x, place.y, place.z)
             side = math.radians(SIDE * (1 if number % 2 else -1))
@@ -131,13 +132,26 @@ class Score:
         ]
 
 
-def footfalls(before: float, after: float) -> range:
-    """Return the numbers of the feet that come down between two steps (k_step): low points.
+def foot_down(number: int) -> float:
+    """Return the step at which a foot comes down: near a low point, as nobody walks like a clock.
+
+    Without it, steps on a level floor would be exactly as far apart as those of a machine.
+    """
+    # Squares of numbers, less multiples of a prime, are as irregular as this needs.
+    uneven = number * number * 37 % 101 / 50.0 - 1.0
+    return LOW + BOB * (number + UNEVEN * uneven)
+
+
+def footfalls(before: float, after: float) -> list[int]:
+    """Return the numbers of the feet that come down between two steps.
 
     None where the walker has not walked from one to the other but was put there.
     """
-    first, last = (math.floor((step - LOW) / BOB) + 1 for step in (before, after))
-    return range(first, last) if 0 < last - first <= MOST_AT_ONCE else range(0)
+    if not 0.0 < after - before <= BOB * MOST_AT_ONCE:
+        return []
+    first, last = (math.floor((step - LOW) / BOB) for step in (before, after))
+    near = range(first - 1, last + 3)
+    return [number for number in near if before < foot_down(number) <= after]
 
 
 KEYS_PER_SECOND = 25  # chosen: of one who stands still; waves and gusts are slower

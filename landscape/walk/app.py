@@ -360,6 +360,7 @@ class Walk:
                 if wrong := found.add(name, self._language):
                     self._note = said(wrong, self._language)
         silent = not self._note and self._until <= self.seconds + self._stood
+        silent = silent and not self.hands.choosing
         if self._unsaid and silent:
             name = self._unsaid.pop(0)
             landmark = next(each for each in LANDMARKS if each.name == name)
@@ -461,6 +462,7 @@ class Walk:
         opened.toggle()
         self.hands.choosing = order if opened.open else ""
         self.hands.choices, self.hands.pointed = [], []
+        self._until = 0.0  # a long message would lie over the list
         if order == "preferences" and not opened.open:
             self._keep()
 
