@@ -108,7 +108,7 @@ class Frame:
 
     ``modelview`` is the camera's matrix as OpenGL returns it, 16 floats in column-major order.
     ``step`` counts the walker's steps (k_step); ``stroke`` is 0 at rest and 1 to 4 in a stroke.
-    ``fov`` is the vertical field of view in degrees.
+    ``fov`` is the vertical field of view in degrees. Of a ``tile`` only that part is drawn.
     """
 
     pose: Pose
@@ -120,10 +120,21 @@ class Frame:
     stroke: int = 0
     mirrored: bool = False
     detail: Detail = FULL
+    tile: Tile | None = None
+
+    @property
+    def corner(self) -> tuple[int, int]:
+        """Where the viewport begins in the framebuffer, in pixels; before it if this is a tile."""
+        if self.tile is None:
+            return 0, 0
+        x, y, _, _ = self.tile.block
+        return x - self.tile.x, y - self.tile.y
 
     @property
     def viewport(self) -> tuple[int, int]:
         """The width and height in pixels to draw; smaller than ``size`` by ``detail.scale``."""
+        if self.tile is not None:
+            return self.tile.block[2:]
         width, height = self.size
         return scaled(width, self.detail.scale), scaled(height, self.detail.scale)
 

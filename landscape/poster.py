@@ -18,7 +18,6 @@ from typing import Any
 
 import numpy as np
 
-from framelens.base.errors import InputError
 from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import Output
 from landscape.files.png_strips import PngStrips
@@ -29,7 +28,6 @@ from landscape.scene.scene import SCENES, scene
 TILE = 2048, 1024  # pixels, chosen: a strip of 16,384 pixels takes 50 MB
 BLOCK = 16384  # pixels a side: the largest viewport of llvmpipe
 MOST = 65536  # pixels a side, chosen
-FLAT = ("hall",)  # scenes that clip in pixels of their framebuffer: they are drawn whole
 
 
 def draw(
@@ -50,8 +48,6 @@ def draw(
     of an ``executor``. InputError where the view or the file is none.
     """
     kind, named = found(view, scene(arguments.get("place", "")))
-    if kind.name in FLAT:
-        raise InputError("poster: views of {scene} are drawn whole: use --size", scene=kind.name)
     shown = [name for name in kind.shown(named, arguments.get("only")) if name not in kind.overlay]
     given = {**arguments, "size": tile, "only": shown}
     packed = zlib.compress(pickle.dumps((view, size, given, kt, wireframe, dict(SCENES))))

@@ -34,6 +34,12 @@ def drawn_in_tiles(view: str, out: Path, size: tuple[int, int] = SIZE, **more) -
         return np.asarray(image)
 
 
+def drawn_whole(view: str, only: tuple[str, ...] | None = None, **more) -> np.ndarray:
+    with Offscreen(SIZE, **{**ASKED, **more}, only=only) as offscreen:
+        offscreen.look(view)
+        return offscreen.draw()
+
+
 @pytest.mark.parametrize("view", ["fig2a", "fig35e"])
 def test_a_poster_is_the_picture_drawn_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, view: str
@@ -45,9 +51,7 @@ def test_a_poster_is_the_picture_drawn_whole(
     tiled = drawn_in_tiles(view, tmp_path / "a.png")
     shown = poster.found(view)[0].elements
     shown = tuple(name for name in shown if name not in poster.found(view)[0].overlay)
-    with Offscreen(SIZE, **ASKED, only=shown if view == "fig35e" else None) as offscreen:
-        offscreen.look(view)
-        whole = offscreen.draw()
+    whole = drawn_whole(view, shown if view == "fig35e" else None)
     assert tiled.shape == whole.shape
     differ = np.abs(tiled.astype(int) - whole).max(axis=2)
     if view == "fig2a":
@@ -59,9 +63,17 @@ def test_a_poster_is_the_picture_drawn_whole(
     assert (np.abs(blocks.astype(int) - whole).max(axis=2) > 8).mean() < 0.02
 
 
+def test_what_is_clipped_by_pixels_is_clipped_in_tiles_too(tmp_path: Path) -> None:
+    """The hall's sky is drawn in a rectangle of the picture, and its tone copies all of it."""
+    asked = {"only": ("sky", "tone"), "preset": None}
+    asked["settings"] = {"tone.contrast": 1.5, "tone.method": "pixels"}
+    tiled = drawn_in_tiles("hall", tmp_path / "a.png", **asked)
+    whole = drawn_whole("hall", **asked)
+    assert len(np.unique(whole)) > 50
+    assert (np.abs(tiled.astype(int) - whole).max(axis=2) > 2).mean() < 0.001
+
+
 def test_a_poster_is_refused_where_it_cannot_be_drawn(shell: Shell, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="views of hall are drawn whole"):
-        poster.draw("hall", SIZE, tmp_path / "a.png", {})
     refused(shell("render", "fig2a", "--poster", "70000x10"), "from 1 to 65536")
     refused(shell("render", "fig2a", "--poster", "64x48", "--passes"), "not with --passes")
 

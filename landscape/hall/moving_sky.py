@@ -26,7 +26,7 @@ from landscape.geometry.mesh import grid_triangles
 from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
 from landscape.hall import plan
-from landscape.hall.exhibits.picture import part_of_polygon
+from landscape.hall.exhibits.picture import draw_within, part_of_polygon
 from landscape.hall.settings import Settings
 
 RADIUS = 20.0  # chosen: units, within the far plane
@@ -170,8 +170,7 @@ class MovingSky(Element[Settings]):
         layers = layers[: sky.layers] if possible("sky.layers") else []
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_VIEWPORT_BIT
         with attrib(groups | gl.GL_CURRENT_BIT | gl.GL_SCISSOR_BIT), matrix():
-            gl.glEnable(gl.GL_SCISSOR_TEST)
-            gl.glScissor(*part)
+            draw_within(frame, *part)
             gl.glDisable(gl.GL_CLIP_PLANE0)
             gl.glDepthRange(1.0, 1.0)
             gl.glDepthFunc(gl.GL_LEQUAL)

@@ -47,7 +47,7 @@ from landscape.frame import Frame
 from landscape.geometry.planar import misprinted_matrix, shadows_of
 from landscape.hall import plan
 from landscape.hall.exhibits.accumulation import disc
-from landscape.hall.exhibits.picture import Part, part_of_polygon
+from landscape.hall.exhibits.picture import Part, draw_within, part_of_polygon
 from landscape.hall.mirror import FLOOR
 from landscape.hall.settings import Settings, Shadow
 
@@ -348,7 +348,7 @@ class PlanarShadow(Element[Settings]):
             gl.glDepthFunc(gl.GL_LEQUAL)
             for count in range(len(lights) + 1):
                 for without in combinations(lights, count):
-                    if not restrict([lights[name][1] for name in without]):
+                    if not restrict(frame, [lights[name][1] for name in without]):
                         continue
                     bits = inside | RECEIVER | sum(SHADED[name] for name in without)
                     gl.glStencilFunc(gl.GL_EQUAL, bits, inside | ALL)
@@ -400,7 +400,7 @@ class PlanarShadow(Element[Settings]):
             self._light.release()
 
 
-def restrict(parts: Sequence[Part | None]) -> bool:
+def restrict(frame: Frame, parts: Sequence[Part | None]) -> bool:
     """Draw only where all of these parts of the picture are; False if they have none in common."""
     known = [each for each in parts if each]
     if not known:
@@ -410,6 +410,5 @@ def restrict(parts: Sequence[Part | None]) -> bool:
     height = min(each.y + each.height for each in known) - y
     if width <= 0 or height <= 0:
         return False
-    gl.glEnable(gl.GL_SCISSOR_TEST)
-    gl.glScissor(x, y, width, height)
+    draw_within(frame, x, y, width, height)
     return True

@@ -128,7 +128,7 @@ class Tone(Element[Settings]):
             gl.glPixelTransferf(getattr(gl, f"GL_{name}_SCALE"), tone.contrast)
             gl.glPixelTransferf(getattr(gl, f"GL_{name}_BIAS"), tone.brightness)
         gl.glRasterPos2f(-1.0, -1.0)
-        gl.glCopyPixels(0, 0, *frame.viewport, gl.GL_COLOR)
+        gl.glCopyPixels(*frame.corner, *frame.viewport, gl.GL_COLOR)
 
 
 def copies() -> bool:

@@ -479,8 +479,17 @@ def begin_frame(
     else:
         gl.glDisable(gl.GL_FOG)
     modelview = np.array(gl.glGetFloatv(gl.GL_MODELVIEW_MATRIX), np.float64).ravel()
-    walker = moment.step, moment.stroke
-    return Frame(pose, moment.size, moment.kt, modelview, camera.fov, *walker, detail=detail)
+    return Frame(
+        pose,
+        moment.size,
+        moment.kt,
+        modelview,
+        camera.fov,
+        moment.step,
+        moment.stroke,
+        detail=detail,
+        tile=moment.tile,
+    )
 
 
 def _near_plane(moment: Moment, camera: Camera) -> tuple[float, float, float, float]:

@@ -82,7 +82,8 @@ class OutsideView:
             self._points, self._coordinates, self._quads = relief(land.world)
         width, height = frame.viewport
         side = round(PART * height)
-        at = width - side - side // 20, height - side - side // 20
+        left, bottom = frame.corner
+        at = left + width - side - side // 20, bottom + height - side - side // 20
         groups = gl.GL_VIEWPORT_BIT | gl.GL_SCISSOR_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT
         groups |= gl.GL_LINE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_TEXTURE_BIT
 

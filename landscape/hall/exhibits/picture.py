@@ -1,4 +1,4 @@
-"""Where in the picture a box lies, and what of the view it takes to draw only that part."""
+"""Where in the picture a box lies, and what it takes to draw only that part."""
 
 import math
 from itertools import product
@@ -20,6 +20,16 @@ class Part(NamedTuple):
     width: int
     height: int
     depth: float
+
+
+def draw_within(frame: Frame, x: int, y: int, width: int, height: int) -> None:
+    """Let OpenGL draw only in a part of a frame's picture, in pixels from its bottom left.
+
+    Of a tile the picture's corner lies outside the framebuffer.
+    """
+    left, bottom = frame.corner
+    gl.glEnable(gl.GL_SCISSOR_TEST)
+    gl.glScissor(left + x, bottom + y, width, height)
 
 
 def projection() -> np.ndarray:

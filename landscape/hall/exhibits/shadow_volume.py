@@ -37,7 +37,7 @@ from landscape.hall import plan
 from landscape.hall.exhibits import niche
 from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import MIDDLE, TOP, VOLUME, Stone, lit_by, pedestal_boxes, shiny
-from landscape.hall.exhibits.picture import part_of
+from landscape.hall.exhibits.picture import draw_within, part_of
 from landscape.hall.settings import Settings
 
 BRONZE = (0.80, 0.52, 0.22)  # chosen
@@ -131,8 +131,7 @@ class ShadowVolume(Exhibit):
             self._send_knot(frame.kt)
         groups = gl.GL_SCISSOR_BIT | gl.GL_STENCIL_BUFFER_BIT
         with attrib(groups):
-            gl.glEnable(gl.GL_SCISSOR_TEST)
-            gl.glScissor(*part[:4])
+            draw_within(frame, *part[:4])
             self.count(frame.kt)
             self._add_light(frame.kt)
             # The floor's mirror, too, finds the stencil buffer empty.

@@ -30,7 +30,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
 from landscape.hall.exhibits import niche
 from landscape.hall.exhibits.niche import MIDDLE, SOLIDS, TOP, lit_by, shiny
-from landscape.hall.exhibits.picture import part_of
+from landscape.hall.exhibits.picture import draw_within, part_of
 from landscape.hall.mirror import FLOOR
 from landscape.hall.settings import Settings
 
@@ -116,8 +116,7 @@ class Solids(Element[Settings]):
             gl.glRotatef(TURN * frame.kt, 0.0, 1.0, 0.0)
             gl.glRotatef(TILT, 0.0, 0.0, 1.0)
             shiny(0.8, 50.0)
-            gl.glEnable(gl.GL_SCISSOR_TEST)
-            gl.glScissor(*part[:4])
+            draw_within(frame, *part[:4])
             if values.solids_operation == "union" or not values.solids_stencil:
                 for surface, _, _ in parts:
                     surface()

@@ -128,7 +128,7 @@ class MirrorImage:
             try:
                 with self._target.drawing():
                     small = replace(frame.detail, scale=1.0)
-                    yield replace(frame, size=(width, height), fov=fov, detail=small)
+                    yield replace(frame, size=(width, height), fov=fov, detail=small, tile=None)
             finally:
                 gl.glMatrixMode(gl.GL_PROJECTION)
 
