@@ -6,6 +6,7 @@ from functools import cache
 import pytest
 from folded import each
 
+from framelens.base.texts import translator
 from landscape.course.grader.mutants import mutants
 from landscape.course.rehearsal import solutions
 from landscape.course.roster.copies import LEAST, known, pairs, traces
@@ -164,6 +165,8 @@ def test_pairs_are_shown_side_by_side_and_never_as_a_verdict(planted: list[str])
     assert "It is no verdict" in first and "look_at: <b>10</b> and <b>110</b>: " in second
     (shown,) = as_json(found)
     assert shown["students"] == ["<b>10</b>", "<b>110</b>"] and shown["score"] > LEAST
+    in_french = as_lines(found, translator("fr", "course"))[1]
+    assert in_french.startswith("look_at\u00a0: <b>10</b> et <b>110</b>\u00a0: ")
     assert as_lines([], plain) == ["No two programs share anything rare."]
     for words in (section, first, second):
         assert not re.search(r"cheat|plagiar|copied", words)

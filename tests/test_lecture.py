@@ -159,6 +159,20 @@ def test_the_speaker_reads_notes_keys_and_the_next_title(
     assert "dernière étape" in texts.for_speaker(lecture, 1)
 
 
+def test_the_words_of_a_user_are_not_translated_even_if_a_shipped_lecture_has_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LANGUAGE", "fr")
+    shipped = COURSE.parent / "reflections.txt"
+    text = shipped.read_text(encoding="utf-8").replace(
+        "fresnel.png", f"{COURSE.parent}/fresnel.png"
+    )
+    for lecture, same in ((read(shipped), False), (read(_written(tmp_path, text)), True)):
+        step = lecture.steps[0]
+        words = texts.heading(lecture), texts.title(step), texts.paragraphs(step), texts.notes(step)
+        assert (words == (lecture.title, step.title, step.text, step.notes)) == same
+
+
 def test_a_lesson_without_notes_asks_what_its_page_asks(tmp_path: Path) -> None:
     (step,) = read(_written(tmp_path, "matrix_stack\n")).steps
     notes = texts.notes(step)

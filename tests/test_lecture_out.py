@@ -11,7 +11,7 @@ import pytest
 from commands import Shell, landscape, need_library, refused
 from PIL import Image
 
-from landscape.course.lecture import page, pdf
+from landscape.course.lecture import page, pdf, texts
 from landscape.course.lecture.image import text_image
 from landscape.course.lecture.plan import PAPERS, read
 from landscape.course.lecture.slides import Row, Slide
@@ -92,9 +92,10 @@ def test_a_lecture_becomes_one_page_with_its_pictures_code_and_notes(
     lecture: Path, tmp_path: Path
 ) -> None:
     need_library("OSMesa")
-    out = tmp_path / "talk.html"
-    done = landscape("lecture", lecture, "--out", out, "-q")
-    assert (done.status, done.out, done.err) == (0, f"{out}\n", "")
+    out, again = tmp_path / "talk.html", tmp_path / "again.html"
+    done = landscape("lecture", lecture, "--out", out, "--out", again, "-q")
+    assert (done.status, done.out, done.err) == (0, f"{out}\n{again}\n", "")
+    assert again.read_bytes() == out.read_bytes()
     text = out.read_text(encoding="utf-8")
     tags = Tags(text)
     assert tags.open == [] and len(tags.images) == 3
@@ -105,6 +106,24 @@ def test_a_lecture_becomes_one_page_with_its_pictures_code_and_notes(
     assert re.findall(r"<li>(.*?)</li>", text)[0] == "An item"
     assert '<span class="marked"><i>' in text and "For me alone." in text
     assert tags.images[2]["width"] == "1024", "the walk after its key, which shows no message"
+
+
+def test_the_code_of_a_lesson_is_in_the_users_language_and_the_same_lines_are_marked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "mine.txt"
+    path.write_text('stencil_mirror\ncode: mark_disc, "glStencilOp", 104-107\n')
+    (step,) = read(path).steps
+    (english, matter), plain = texts.program(step), texts.marked(step)
+    assert matter == plain and english == step.source()
+    monkeypatch.setenv("LANGUAGE", "fr")
+    french, moved = texts.program(step)
+    calls = [
+        [lines[n - 1].split("#")[0].strip() for n in sorted(rows) if "gl" in lines[n - 1]]
+        for lines, rows in ((english, matter), (french, moved))
+    ]
+    assert calls[0] == calls[1] != [] and len(moved) >= len(matter) - 1
+    assert list(french) != list(english)
 
 
 def test_steps_that_stand_still_are_shown_in_the_area(lecture: Path) -> None:

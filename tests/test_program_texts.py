@@ -5,8 +5,8 @@ import re
 
 import pytest
 
-from landscape.commands.lesson import described
 from landscape.course.ladder import NAMES, lesson
+from landscape.course.language import described
 from landscape.course.program_texts import lines, texts, translated
 from landscape.course.shelf import NAMES as EXERCISES
 from landscape.course.shelf import exercise, start

@@ -229,6 +229,13 @@ def test_gradescopes_results_have_only_its_own_fields() -> None:
     assert sum(test["max_score"] for test in result["tests"]) == row.of
 
 
+def test_names_are_sorted_by_their_letters_whatever_accents_they_have(tmp_path: Path) -> None:
+    names = ["Zoé/b.py", "Éva/é.py", "Éva/f.py", "Eve/a.py", "eva/a.py", "Öz/a.py"]
+    path = zipped(tmp_path / "class.zip", dict.fromkeys(names, "x"))
+    found = [each.file for each in submissions([path])]
+    assert found == ["eva/a.py", "Éva/é.py", "Éva/f.py", "Eve/a.py", "Öz/a.py", "Zoé/b.py"]
+
+
 def test_each_program_of_a_student_has_a_page_of_its_own() -> None:
     folder = FOLDER.format("Bo", 1)
     names = "one.py", "a/x.py", "b/x.py", "work.zip/x.py"
@@ -269,8 +276,20 @@ def test_a_worksheet_changes_in_two_columns_and_nowhere_else() -> None:
         moodle.filled(b"\xff\xfe", marks, "sheet.csv")
 
 
+def test_the_highest_grade_is_the_number_beside_the_grades() -> None:
+    sheets = {
+        "Identifier,Grade,Maximum Grade\nParticipant 1,,20.00\n": 20.0,
+        'Identifiant,Note,Note maximale\nParticipant 1,,"12,50"\n': 12.5,
+        'Identifier,Grade,Scale\nParticipant 1,,"Bad\nGood"\n': None,
+        "Identifier,Feedback comments,Grade\nParticipant 1,,\n": None,
+    }
+    for sheet, most in sheets.items():
+        assert moodle.highest(sheet.encode(), "sheet.csv") == most
+
+
 def test_control_characters_of_a_student_reach_no_table() -> None:
     row = Row("\x1b[31mEve\n", "1", "a\x00.py", hint="\x07 ring", error="")
+    assert tables.printable("a\u00a0: b\u202f!\n") == "a\u00a0: b\u202f! "
     for text in (tables.as_csv([row]), tables.as_junit([row])):
         assert not set(text.decode()) & set("\x1b\x00\x07")
     ElementTree.fromstring(tables.as_junit([row]))
@@ -279,18 +298,31 @@ def test_control_characters_of_a_student_reach_no_table() -> None:
 def test_the_command_writes_what_is_asked_for_and_nothing_where_it_cannot(tmp_path: Path) -> None:
     zipped(tmp_path / "class.zip", CLASS)
     sheet = tmp_path / "sheet.csv"
-    sheet.write_text(f"{HEADERS}\nParticipant 1,Bo,,-,\nParticipant 2,Ada,,-,\n")
+    headers = HEADERS.replace("Grade,", "Grade,Maximum Grade,")
+    sheet.write_text(f"{headers}\nParticipant 1,Bo,,20.00,-,\nParticipant 2,Ada,,20.00,-,\n")
     words = ["exercise", "check", "class.zip", "--worksheet", "sheet.csv", "--feedback", "back.zip"]
     outs = ["--out", "t.csv", "--out", "t.html", "--out", "t.xml", "--out", "gradescope"]
     done = landscape(*words, *outs, "--lang", "fr", cwd=tmp_path)
     assert done.status == 1, done.err
     assert "Ada" in done.out and "Programmes reçus : 1 sur 4" in done.out.replace("\u00a0", " ")
-    assert "Participant 2,Ada,6,-," in sheet.read_text()
+    assert "Participant 2,Ada,20,20.00,-," in sheet.read_text()
+    assert "20/20" in done.out and " 0/20" in done.out
     page = (tmp_path / "t.html").read_text()
     assert '<html lang="fr">' in page and page.count("data:image/png") == 2
     with zipfile.ZipFile(tmp_path / "back.zip") as archive:
         assert f"{FOLDER.format('Bo', 1)}/winding.html" in archive.namelist()
     assert len(list((tmp_path / "gradescope").glob("*/results.json"))) == 4
+
+    (tmp_path / "empty.py").write_text("\n")
+    words = ["exercise", "check", "empty.py", "--worksheet", "sheet.csv", "--points", "10"]
+    done = landscape(*words, "--out", "t.html", cwd=tmp_path)
+    assert done.err == (
+        "landscape: sheet.csv: the assignment's maximum grade is 20, and a whole program gets 10 "
+        "by --points\n"
+    )
+    assert "0/10  is empty, expected a program" in done.out
+    assert landscape("exercise", "check", "empty.py", "--out", "t.html", cwd=tmp_path).status == 1
+    assert '<td class="points">-</td>' in (tmp_path / "t.html").read_text()
 
     before = sheet.read_bytes()
     for more, expected in (

@@ -31,6 +31,10 @@ MOST_WORKSHEET = 1 << 24  # bytes, chosen
 LATE = _("late")
 ALL = _("Programs that pass: {passed} of {all}")
 ABSENT = _("{file}: has no participant {numbers}")
+HIGHEST = _(
+    "{file}: the assignment's maximum grade is {highest}, and a whole program gets {points} by "
+    "--points"
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -73,7 +77,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--points",
         type=_points,
         metavar="N",
-        help=_("what a program gets that passes all tests; default: a point for each test"),
+        help=_(
+            "what a program gets that passes all tests; default: the worksheet's maximum grade, "
+            "else a point for each test"
+        ),
     )
     own.add_argument(
         "--due",
@@ -138,17 +145,24 @@ def run(options: argparse.Namespace, language: str) -> int:
     if options.heat_map is not None:
         raise InputError("--heat-map: expected a single program; --out FILE.html has all pictures")
     _check_outputs(options)
-    worksheet = b""
+    worksheet, points = b"", options.points
     if options.worksheet is not None:
         worksheet = read_bounded(options.worksheet, MOST_WORKSHEET)
-        moodle.filled(worksheet, {}, str(options.worksheet))
+        highest = moodle.highest(worksheet, str(options.worksheet))
+        if points is None:
+            points = highest
+        elif highest is not None and highest != points and not options.quiet:
+            values = {"highest": f"{highest:g}", "points": f"{points:g}"}
+            text = translator(language, "course")(HIGHEST)
+            said = text.format(file=options.worksheet, **values)
+            print(f"landscape: {said}", file=sys.stderr)
 
     found = submissions(options.files)
     exercises = shelf(options.exercises)
     rules = Rules(
         language=language,
         seconds=options.seconds,
-        points=options.points,
+        points=points,
         version=__version__,
         again=options.again,
         contain=options.contain or AUTO,

@@ -83,8 +83,8 @@ def _check(
                 progress.step(each.name)
                 if finding.wrong is not None:
                     raise InputError(
-                        "{folder}: {tried}: {wrong} (`landscape exercise test {name}` says all; "
-                        "--untested packs it as it is)",
+                        "{folder}: expected that {tried}, but: {wrong} (`landscape exercise test "
+                        "{name}` says all; --untested packs it as it is)",
                         folder=each.folder,
                         tried=finding.tried,
                         wrong=finding.wrong,

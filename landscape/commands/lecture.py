@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,7 +16,6 @@ from framelens.commands import option_values
 from framelens.commands.parser import language_option
 from framelens.gl import display
 from framelens.system.processes import cores
-from landscape.course.language import translated
 from landscape.course.lecture import texts
 from landscape.course.lecture.plan import COURSE, PAPERS, PICTURE, TEXT, VIEW, Lecture, course, read
 
@@ -53,8 +53,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--out",
         type=Path,
+        action="append",
+        default=[],
         metavar="FILE.html|.pdf",
-        help=_("write the steps to one page of HTML, or to a PDF, instead of showing them"),
+        help=_(
+            "write the steps to one page of HTML, or to a PDF, instead of showing them; may be "
+            "given several times"
+        ),
     )
     parser.add_argument(
         "--paper",
@@ -71,9 +76,9 @@ def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
     lecture = read(_file(options.file)) if options.file else course()
     begin = _begin(lecture, options.begin)
-    if options.out is not None:
+    if options.out:
         write(lecture, options.out, options.paper, options.quiet)
-        print(options.out)
+        print("\n".join(map(str, options.out)))
         return 0
     if options.paper is not None:
         raise InputError("--paper: is for a PDF; expected --out FILE.pdf as well")
@@ -118,25 +123,29 @@ def _begin(lecture: Lecture, asked: str) -> int:
     )
 
 
-def write(lecture: Lecture, out: Path, paper: str | None, quiet: bool) -> None:
-    """Write a lecture to a page of HTML or to a PDF; InputError where that cannot be done."""
+def write(lecture: Lecture, files: Sequence[Path], paper: str | None, quiet: bool) -> None:
+    """Write a lecture to pages of HTML and to PDFs; InputError where that cannot be done."""
     from landscape.course.lecture import page, pdf
     from landscape.course.lecture.slides import slides
 
-    kind = out.suffix.lower()
-    if kind not in FORMATS:
-        raise InputError("--out {out}: expected a name that ends in .html or .pdf", out=out)
-    if kind != ".pdf" and paper is not None:
-        raise InputError("--paper: is for a PDF; expected --out FILE.pdf as well")
-    check_writable(out, "--out ")
-    if kind == ".pdf":
+    kinds = [file.suffix.lower() for file in files]
+    for file, kind in zip(files, kinds, strict=True):
+        if kind not in FORMATS:
+            raise InputError("--out {out}: expected a name that ends in .html or .pdf", out=file)
+    if ".pdf" in kinds:
         pdf.check_typst()
-    language, title = choose(os.environ), translated(lecture.title)
+    elif paper is not None:
+        raise InputError("--paper: is for a PDF; expected --out FILE.pdf as well")
+    for file in files:
+        check_writable(file, "--out ")
+
+    language, title = choose(os.environ), texts.heading(lecture)
     made = slides(lecture, language, cores(), quiet)
-    if kind == ".pdf":
-        write_whole(out, pdf.as_pdf(title, made, language, paper or PAPERS[0]))
-    else:
-        write_whole(out, page.as_html(title, made, language))
+    for file, kind in zip(files, kinds, strict=True):
+        if kind == ".pdf":
+            write_whole(file, pdf.as_pdf(title, made, language, paper or PAPERS[0]))
+        else:
+            write_whole(file, page.as_html(title, made, language))
 
 
 def show(

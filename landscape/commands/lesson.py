@@ -14,7 +14,6 @@ from framelens.base.texts import marked as _
 from framelens.commands.parser import backend_option, language_option
 from framelens.gl import display
 from framelens.program.program_events import presses
-from landscape.course import program_texts
 from landscape.course.grader.picture import pictures
 from landscape.course.ladder import (
     LESSONS,
@@ -25,7 +24,7 @@ from landscape.course.ladder import (
     lessons,
     program_files,
 )
-from landscape.course.language import translated
+from landscape.course.language import WIDTH, described, program_described, translated
 from landscape.course.own_lesson import own_lesson
 from landscape.course.pages import wrapped
 
@@ -42,7 +41,6 @@ ADVICE: Phrases = (
 WHY_KEY: Phrases = (
     "F1: why the pixel under the pointer looks as it does. F12: the inspector, with all calls.",
 )
-WIDTH = 96  # chosen: columns of a docstring, at most
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -168,27 +166,6 @@ def _in_language(file: Path, language: str) -> bytes:
     if file.parent == PROGRAMS:
         return program_described(file, language).encode()
     return described(lesson(file.stem), language).encode()
-
-
-def described(chosen: Lesson, language: str) -> str:
-    """Return a lesson's program with all of its texts in a language."""
-    source = chosen.file.read_text(encoding="utf-8")
-    if language == "en":
-        return source
-    own = translator(language, f"lessons/{chosen.name}")
-    about = [wrapped("", own(text), WIDTH) for text in (chosen.title, *chosen.about)]
-    _before, _docstring, program = source.split('"""', 2)
-    return '"""' + "\n\n".join(about) + '\n"""' + program_texts.translated(program, own)
-
-
-def program_described(file: Path, language: str) -> str:
-    """Return a plain program with all of its texts in a language."""
-    source = file.read_text(encoding="utf-8")
-    if language == "en":
-        return source
-    own = translator(language, "programs")
-    _before, docstring, program = source.split('"""', 2)
-    return f'"""{wrapped("", own(docstring), WIDTH)}"""' + program_texts.translated(program, own)
 
 
 def needed(chosen: Lesson) -> list[Path]:

@@ -7,7 +7,9 @@ what checks it: the tests that they may see, and the solution as the calls that 
 
 from collections.abc import Sequence
 
+import framelens
 from framelens.base.errors import InputError
+from framelens.base.packages import PACKAGES
 from framelens.base.texts import Phrases, translator
 from landscape.course.grader import recorded
 from landscape.course.own_exercise import FRENCH, french_without
@@ -23,8 +25,11 @@ GUIDE: Phrases = (
     "the line `# exercise: ...`.",
     "Run it:",
     "Check it, in the folder in which this file lies:",
-    "You need Python 3.11 or later, and the package landscape-gl.",
+    "You need Python 3.11 or later, and the packages framelens and landscape-gl, which are on no "
+    "index: your teacher gives you their two files (wheels), or a checkout of the project. Install "
+    "them in that folder, by the first or by the second line:",
 )
+WHEELS = "framelens-{framelens}-py3-none-any.whl", "landscape_gl-{landscape}-py3-none-any.whl"
 
 
 def for_students(
@@ -63,7 +68,11 @@ def _guide(found: Sequence[Exercise], own: bool, checks: bool, language: str) ->
     _ = translator(language, "course")
     first = f"{found[0].name}.py"
     names = ", ".join(each.name for each in found)
+    versions = {"framelens": framelens.__version__}
+    versions |= {each.name: each.version for each in PACKAGES if each.version}
+    wheels = " ".join(WHEELS).format(**versions)
     lines = [_(GUIDE[0]).format(names=names), "", _(GUIDE[1]), "", _(GUIDE[4]), ""]
+    lines += [f"    pip install {wheels}", "    pip install ./framelens .", ""]
     lines += [_(GUIDE[2]), "", f"    python {first}"]
     if checks:
         option = f" --exercises {CHECKED}" if own else ""

@@ -29,7 +29,7 @@ README: Phrases = (
     "Other ways to solve it, as many as you can think of, also `solution3.py` and so on: they must "
     "pass, so that a student who thinks differently does.",
     "The tests, and which frames they look at.",
-    "Mistakes that you expect: each must get a hint of its own.",
+    "Mistakes that you expect, at least four: each must get a hint of its own.",
     "Tests that students do not see. Delete it if you need none.",
     "The French texts, for `--lang fr`. Delete it if you teach in one language: write in that "
     "everywhere.",

@@ -88,6 +88,28 @@ def lines(source: str, other: str) -> dict[int, int]:
     }
 
 
+def moved(numbers: Iterable[int], source: str, other: str) -> frozenset[int]:
+    """Return which lines of the same program in another language some of its lines are.
+
+    A comment is found by what it stands above; one that has become part of a longer text is not.
+    """
+    same = lines(source, other)
+    rows, others = source.splitlines(), other.splitlines()
+    found = set()
+    for number in numbers:
+        text = rows[number - 1].strip()
+        before = max((n for n in same if n <= number), default=1)
+        after = min((n for n in same if n >= number), default=len(rows))
+        down = same.get(before, 1) - before
+        up = same.get(after, len(others)) - after
+        for place in (number + down, number + up):
+            there = others[place - 1].strip() if 0 < place <= len(others) else ""
+            if number in same or there == text or (text[:1] == "#" and there[:1] == "#"):
+                found.add(place)
+                break
+    return frozenset(found)
+
+
 def _wrapped(text: str, mark: str) -> list[str]:
     return textwrap.wrap(
         text, COLUMNS, initial_indent=mark, subsequent_indent=mark, break_on_hyphens=False

@@ -102,13 +102,13 @@ class Rehearsal:
 
     def count(self, mistakes: Mapping[str, Mutant]) -> Finding:
         """Look how many mistakes there are."""
-        tried = Message("mutants.py has {count} mistakes", count=len(mistakes))
-        wanted = Message("expected at least {least}", least=FEWEST)
-        return Finding(tried, wanted if len(mistakes) < FEWEST else None)
+        tried = Message("mutants.py has at least {least} mistakes", least=FEWEST)
+        few = Message("it has {count}", count=len(mistakes))
+        return Finding(tried, few if len(mistakes) < FEWEST else None)
 
     def mistake(self, name: str, mutant: Mutant) -> Finding:
         """Try a mistake: the test fails that should, with a hint that no other gets."""
-        tried = Message("the mistake {name} gets its hint", name=name)
+        tried = Message("the mistake {name} gets a hint of its own", name=name)
         try:
             code = mutant.of(source(self._found.folder / "solution.py"))
         except ValueError as error:
@@ -127,7 +127,7 @@ class Rehearsal:
             if not found:
                 return Message("it passes, expected that {test} fails", test=mutant.fails)
             return Message(
-                "fails in {tests}, expected {test}",
+                "it fails in {tests}, expected {test}",
                 tests=", ".join(result.test.key for result in found),
                 test=mutant.fails,
             )
@@ -135,7 +135,7 @@ class Rehearsal:
         assert hint is not None
         said = hint.written(self._translate)
         if hint.text == UNLIKE or GENERAL in hint.text:
-            return Message("expected a hint of its own, found: {hint}", hint=said)
+            return Message("it gets only the general hint: {hint}", hint=said)
         return self._note(name, found[0])
 
     def _note(self, name: str, result: Result) -> Message | None:
@@ -147,7 +147,7 @@ class Rehearsal:
         self._told |= {hint.text: name, said: name}
         if first is None:
             return None
-        return Message("gets the hint of {other}: {hint}", other=first, hint=said)
+        return Message("it gets the hint of {other}: {hint}", other=first, hint=said)
 
     def french(self) -> Finding:
         """Look whether all texts have a French one, and the program is one in French, too."""
@@ -156,9 +156,7 @@ class Rehearsal:
         if missing:
             return Finding(
                 tried,
-                Message(
-                    "{count} are missing, the first: {text}", count=len(missing), text=missing[0]
-                ),
+                Message("{count} are missing, first {text}", count=len(missing), text=missing[0]),
             )
         try:
             compile(start(self._found, "fr"), "start.py", "exec")
@@ -175,7 +173,7 @@ class Rehearsal:
         for result in report.results:
             if result.passed is False and result.hint is not None:
                 hint = result.hint.written(self._translate)
-                return Message("fails in {test}: {hint}", test=result.test.key, hint=hint)
+                return Message("it fails in {test}: {hint}", test=result.test.key, hint=hint)
         return None
 
 

@@ -149,7 +149,12 @@ class Shelf:
             raise InputError(
                 "{path}: is a folder, expected a program written for an exercise", path=path
             )
-        names = MARKER.findall(source(path))
+        code = source(path)
+        if not code.strip():
+            raise InputError(
+                "{path}: is empty, expected a program written for an exercise", path=path
+            )
+        names = MARKER.findall(code)
         if not names:
             raise InputError(
                 "{path}: expected a line such as `# exercise: {names}`, which says of which "

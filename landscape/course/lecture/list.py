@@ -37,7 +37,7 @@ class StepList:
 
     def image(self, size: tuple[int, int], now: int) -> np.ndarray:
         """Return the picture for a window of ``size``; ``now`` is the index of the step shown."""
-        title = texts.translated(self._lecture.title)
+        title = texts.heading(self._lecture)
         self._picture = steps_image(size, title, self._rows, self.chosen, now, self.foot)
         return self._picture.image
 

@@ -42,7 +42,8 @@ class Step:
     ``file`` is a lesson's, a program's or a picture's, ``code`` the numbers of the lines that
     matter of the first two, None where the lecture names none. ``caption``, ``title`` and ``notes``
     are empty where it does not say. ``text`` has the lines of a step of text. ``frame`` is the one
-    whose picture stands for a program on paper, None where the lecture names none.
+    whose picture stands for a program on paper, None where the lecture names none. The words of a
+    lecture that is ``shipped`` with the program are translated, those of a user never.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Step:
     keys: tuple[str, ...] = ()
     text: list[str] = field(default_factory=list)
     frame: int | None = None
+    shipped: bool = False
 
     @property
     def runs(self) -> bool:
@@ -76,10 +78,11 @@ class Step:
 
 @dataclass(frozen=True)
 class Lecture:
-    """A lecture: its title, and its steps in their order."""
+    """A lecture: its title, and its steps in their order; whether it comes with the program."""
 
     title: str
     steps: Sequence[Step]
+    shipped: bool = False
 
 
 def read(path: Path) -> Lecture:
@@ -88,17 +91,20 @@ def read(path: Path) -> Lecture:
     if re.search("[\ud800-\udfff\x00]", text):
         raise InputError("{path}: is not text in UTF-8; expected a lecture", path=path)
     title, steps = "", []
+    shipped = path.resolve().parent == COURSE.parent
     for number, block in enumerate(_blocks(text)):
         if number == 0 and _key(block[0][1])[0] == "title":
             title = _key(block[0][1])[1]
             block = block[1:]
         if block:
-            steps.append(_step(path, block))
+            step = _step(path, block)
+            step.shipped = shipped
+            steps.append(step)
     if not steps:
         raise InputError(
             "{path}: has no steps; expected blocks that begin with {kinds}", path=path, kinds=KINDS
         )
-    return Lecture(title or path.stem, steps)
+    return Lecture(title or path.stem, steps, shipped)
 
 
 def course() -> Lecture:

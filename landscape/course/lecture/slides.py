@@ -121,8 +121,9 @@ def _slide(step: Step, number: int, picture: np.ndarray | None) -> Slide:
 
 def _code(step: Step) -> list[Row]:
     """Return the lines that matter, and those around them."""
-    source = [line.expandtabs(TAB) for line in step.source()]
-    marked, quoted = texts.marked(step), in_texts(source)
+    lines, marked = texts.program(step)
+    source = [line.expandtabs(TAB) for line in lines]
+    quoted = in_texts(source)
     return [
         Row(number, source[number - 1] if number else "", number in marked, number in quoted)
         for number in shown_rows(len(source), marked, ROWS, None)

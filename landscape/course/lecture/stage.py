@@ -59,7 +59,7 @@ class Stage(GLFWContext):
         """Open the window, on the whole of a screen unless it has a size; NoOpenGLError."""
         super().__init__(
             size or WINDOW,
-            texts.translated(lecture.title),
+            texts.heading(lecture),
             True,
             size is None,
             checked=True,

@@ -7,9 +7,10 @@ import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
-from framelens.base.texts import Texts, choose, translator
+from framelens.base.texts import LANGUAGES, Texts, choose, translator
+from landscape.course import program_texts
 from landscape.course.ladder import lesson
-from landscape.course.language import translated
+from landscape.course.language import described, translated
 from landscape.course.lecture.plan import LESSON, PICTURE, VIEW, Lecture, Step, new_lines
 from landscape.course.pages import page
 from landscape.gallery.view_captions import VIEW_PANELS
@@ -34,10 +35,15 @@ def word(key: str, **values: object) -> str:
     return translator(choose(os.environ), "course")(TEXTS[key], key).format(**values)
 
 
+def heading(lecture: Lecture) -> str:
+    """Return a lecture's title."""
+    return translated(lecture.title) if lecture.shipped else lecture.title
+
+
 def title(step: Step) -> str:
     """Return a step's title."""
     if step.title:
-        return translated(step.title)
+        return _own(step, step.title)
     if step.kind == LESSON:
         return translated(lesson(step.name).title)
     if step.kind == PICTURE:
@@ -52,7 +58,7 @@ def title(step: Step) -> str:
 def caption(step: Step) -> str:
     """Return what stands beside the title: the lecture's words, the lesson's or the gallery's."""
     if step.caption or step.kind not in (LESSON, VIEW):
-        return translated(step.caption)
+        return _own(step, step.caption)
     if step.kind == LESSON:
         return translated(lesson(step.name).about[0])
     fixes = {fix.name: fix.look for fix in FIXES}
@@ -74,7 +80,12 @@ def captions(step: Step) -> list[str]:
 
 def paragraphs(step: Step) -> list[str]:
     """Return the lines of a step of text."""
-    return [translated(line) for line in step.text]
+    return [_own(step, line) for line in step.text]
+
+
+def _own(step: Step, text: str) -> str:
+    """Return a text that stands in the lecture itself."""
+    return translated(text) if step.shipped else text
 
 
 def marked(step: Step) -> frozenset[int]:
@@ -84,10 +95,23 @@ def marked(step: Step) -> frozenset[int]:
     return step.code or frozenset()
 
 
+def program(step: Step) -> tuple[Sequence[str], frozenset[int]]:
+    """Return the lines of a step's program, and the numbers of those that matter.
+
+    A lesson's are those of its copy in the user's language.
+    """
+    lines, matter = step.source(), marked(step)
+    language = choose(os.environ)
+    if step.kind != LESSON or language == LANGUAGES[0]:
+        return lines, matter
+    code = described(lesson(step.name), language)
+    return code.splitlines(), program_texts.moved(matter, "\n".join(lines), code)
+
+
 def notes(step: Step) -> list[str]:
     """Return the paragraphs for the speaker: the lecture's, or what the page asks the class."""
     if step.notes or step.kind != LESSON:
-        return [translated(note) for note in step.notes]
+        return [_own(step, note) for note in step.notes]
     blocks = page(lesson(step.name), translated)
     headings = [index for index, block in enumerate(blocks) if block.is_heading]
     return [block.text for block in blocks[headings[-1] + 1 :]]

@@ -39,6 +39,7 @@ ABOUT = _(
 PAIR = _("{exercise}: {first} and {second}")
 PIECE = _("{kind} {text} (lines {one} and {other})")
 MORE = _("{count} more")
+SHARED = _("{pair}: {pieces}")
 
 
 @dataclass(frozen=True)
@@ -89,7 +90,7 @@ def as_lines(found: Sequence[Likeness], _: Translator) -> list[str]:
         pieces = [_piece(shared, _) for shared in best[:FEW]]
         if len(each.shared) > FEW:
             pieces.append(_(MORE).format(count=len(each.shared) - FEW))
-        lines.append(f"{_named(each, _)}: {', '.join(pieces)}")
+        lines.append(_(SHARED).format(pair=_named(each, _), pieces=", ".join(pieces)))
     return [printable(line) for line in lines]
 
 
@@ -100,9 +101,9 @@ def _named(each: Likeness, _: Translator) -> str:
 
 def _piece(shared: Shared, _: Translator) -> str:
     one, other = shared.lines
-    kind = _(WORDS[shared.kind])
-    text = _(PIECE).format(kind=kind, text=shared.text, one=one, other=other)
-    return " ".join(text.split())
+    kind, text = _(WORDS[shared.kind]), " ".join(shared.text.split())
+    piece = _(PIECE).format(kind=kind, text=text, one=one, other=other)
+    return piece.replace("  ", " ")  # a sequence has no text
 
 
 def as_json(found: Sequence[Likeness]) -> list[dict[str, Any]]:

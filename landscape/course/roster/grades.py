@@ -42,7 +42,7 @@ class Row:
     ``tests``: {"name", "passed", "hint", "points", "hidden"} of each; "points" is what it is worth,
     and students do not see what is "hidden". ``hint`` comes from the first test that failed which
     they see, ``line`` the line of the program that it names, or 0. ``error`` says why it was not
-    graded.
+    graded; ``of`` is 0 where nobody can say what it would be worth.
     """
 
     student: str
@@ -129,7 +129,14 @@ def _given(
     known: Mapping[bytes, tuple[dict[str, Any], bytes]],
 ) -> Graded:
     """Return what a submission is given; ``known`` has what each program is."""
-    row = Row(each.student, each.id, each.file, late=late(each, due), version=rules.version)
+    row = Row(
+        each.student,
+        each.id,
+        each.file,
+        of=rules.points or 0.0,
+        late=late(each, due),
+        version=rules.version,
+    )
     if each.data is None:
         assert each.error is not None
         return Graded(replace(row, error=said(each.error, rules.language)), each)

@@ -2,8 +2,9 @@
 
 Moodle names a student's folder FULLNAME_ID_assignsubmission_file, where ID is the number of the
 participant in this assignment. Its worksheet is a CSV whose headers are in the language of the
-site. It is found by its first column, and only the grade and the comment of each graded student
-change in it: every other byte stays.
+site. A student is found by its first column, and only the grade and the comment of each graded
+student change in it: every other byte stays. The column after the grades has the highest grade of
+the assignment, a number, or the words of a scale; Moodle passes over a grade above it in silence.
 """
 
 import re
@@ -25,6 +26,7 @@ COMMENTS = (
     "Feedback als commentaar",
 )
 NUMBER = re.compile(r"(\d+)\s*$")
+GRADE = re.compile(r"\d+([.,]\d+)?")  # in some languages of a site with a comma
 
 
 def participant(folder: str) -> tuple[str, str] | None:
@@ -46,22 +48,9 @@ def filled(worksheet: bytes, marks: Mapping[str, Mark], name: str) -> tuple[byte
 
     InputError, which names the file ``name``, if it is not a worksheet.
     """
-    try:
-        text = worksheet.decode("utf-8")
-    except UnicodeDecodeError:
-        raise InputError(
-            "{name}: expected a grading worksheet of Moodle, a CSV in UTF-8", name=name
-        ) from None
-    rows = _cells(text)
-    headers = [_value(text[begin:end]).lstrip("\ufeff") for begin, end in rows[0]] if rows else []
-    grade = next((index for index, each in enumerate(headers) if each in GRADES), None)
+    text, rows, headers = _read(worksheet, name)
+    grade = _grades(headers, name)
     comment = next((index for index, each in enumerate(headers) if each in COMMENTS), None)
-    if grade is None:
-        raise InputError(
-            "{name}: expected a grading worksheet of Moodle, with a column {columns}",
-            name=name,
-            columns=" / ".join(GRADES),
-        )
 
     changes: list[tuple[int, int, str]] = []
     left = dict(marks)
@@ -77,6 +66,45 @@ def filled(worksheet: bytes, marks: Mapping[str, Mark], name: str) -> tuple[byte
     for begin, end, value in sorted(changes, reverse=True):
         text = text[:begin] + value + text[end:]
     return text.encode(), sorted(left)
+
+
+def highest(worksheet: bytes, name: str) -> float | None:
+    """Return the highest grade that the assignment has; None where it is not a number.
+
+    InputError, which names the file ``name``, if it is not a worksheet.
+    """
+    text, rows, headers = _read(worksheet, name)
+    column = _grades(headers, name) + 1
+    for row in rows[1:]:
+        value = _value(text[slice(*row[column])]) if len(row) > column else ""
+        if GRADE.fullmatch(value) and float(value.replace(",", ".")) > 0:
+            return float(value.replace(",", "."))
+    return None
+
+
+def _read(worksheet: bytes, name: str) -> tuple[str, list[list[tuple[int, int]]], list[str]]:
+    """Return a worksheet's text, where its cells are, and its headers."""
+    try:
+        text = worksheet.decode("utf-8")
+    except UnicodeDecodeError:
+        raise InputError(
+            "{name}: expected a grading worksheet of Moodle, a CSV in UTF-8", name=name
+        ) from None
+    rows = _cells(text)
+    headers = [_value(text[begin:end]).lstrip("\ufeff") for begin, end in rows[0]] if rows else []
+    return text, rows, headers
+
+
+def _grades(headers: Sequence[str], name: str) -> int:
+    """Return the index of the column of grades; InputError, which names the file, without one."""
+    found = next((index for index, each in enumerate(headers) if each in GRADES), None)
+    if found is None:
+        raise InputError(
+            "{name}: expected a grading worksheet of Moodle, with a column {columns}",
+            name=name,
+            columns=" / ".join(GRADES),
+        )
+    return found
 
 
 def _cells(text: str) -> list[list[tuple[int, int]]]:

@@ -13,6 +13,7 @@ TITLE = _("Exercises of a class")
 COUNTS = _("Programs that pass: {passed} of {all}")
 PICTURE = _("the picture of {student}, where it differs, and the solution's")
 LINE = _("line {line}")
+TOLD = _("{line}: {text}")
 LATE = _("late")
 HIDDEN = _("Not shown to students: {test}. {hint}")
 COLUMNS = (
@@ -81,11 +82,12 @@ def _line_of(graded: Graded, _: Translator, hidden: bool) -> str:
     student = html.escape(printable(row.student))
     if row.late:
         student += f" ({html.escape(_(LATE))})"
+    points = f"{row.points:g} / {row.of:g}" if row.of else "-"
     cells = (
         f"<td>{student}</td>",
         f"<td>{html.escape(printable(row.file))}</td>",
         f"<td>{html.escape(row.exercise)}</td>",
-        f'<td class="points">{row.points:g} / {row.of:g}</td>',
+        f'<td class="points">{points}</td>',
         f"<td>{hint}</td>",
     )
     kind = "passed" if row.passed else "failed"
@@ -97,5 +99,5 @@ def told(row: Row, _: Translator) -> str:
     text = row.error or row.hint
     named = _(LINE).format(line=row.line)
     if row.line and named not in text:
-        text = f"{named}: {text}"
+        text = _(TOLD).format(line=named, text=text)
     return text

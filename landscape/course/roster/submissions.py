@@ -8,6 +8,7 @@ submission, too: its error says why.
 import io
 import lzma
 import struct
+import unicodedata
 import zipfile
 import zlib
 from collections.abc import Iterator, Sequence
@@ -90,7 +91,7 @@ def submissions(paths: Sequence[Path]) -> list[Submission]:
         raise InputError(
             "{paths}: expected programs, found none", paths=", ".join(str(path) for path in paths)
         )
-    return found
+    return sorted(found, key=_place)
 
 
 File = tuple[PurePosixPath, bytes | None, datetime, InputError | None]
@@ -188,7 +189,18 @@ def _students(files: Iterator[File], room: _Room) -> list[Submission]:
     for folder, inside in folders.items():
         student, number = participant(folder) or (folder, "")
         found += _programs(Submission(student or folder, number, folder=folder), inside, room)
-    return sorted(found, key=lambda each: (each.student.casefold(), each.id, each.file))
+    return found
+
+
+def _place(each: Submission) -> tuple[tuple[str, str], str, tuple[str, str]]:
+    """Return by what submissions are sorted."""
+    return alphabetic(each.student), each.id, alphabetic(each.file)
+
+
+def alphabetic(name: str) -> tuple[str, str]:
+    """Return by what a name is sorted: its letters without accents, and then the name itself."""
+    letters = unicodedata.normalize("NFKD", name.casefold())
+    return "".join(each for each in letters if not unicodedata.combining(each)), name
 
 
 def _hidden(name: PurePosixPath) -> bool:

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import asdict, fields
 from typing import Any
@@ -37,7 +38,12 @@ def _cell(value: Any) -> str:
 
 def printable(text: str) -> str:
     """Return a text on one line without control characters, which a terminal would obey."""
-    return "".join(each if each.isprintable() else " " for each in text)
+    return "".join(each if _is_shown(each) else " " for each in text)
+
+
+def _is_shown(character: str) -> bool:
+    """Return whether a character is printable, as are spaces of every width, no-break or not."""
+    return character.isprintable() or unicodedata.category(character) == "Zs"
 
 
 def as_json(rows: Sequence[Row], copies: Sequence[dict[str, Any]] | None = None) -> bytes:

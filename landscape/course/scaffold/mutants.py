@@ -1,6 +1,6 @@
 # Mistakes that students make, by which the tests are tested: `landscape exercise test` changes
-# solution.py as each says, and looks at which test fails first. Each must get a hint of its own.
-# Students never see this file.
+# solution.py as each says, and looks at which test fails first. There must be at least four, and
+# each must get a hint of its own. Students never see this file.
 # A mistake is what it is, the name of the test that should fail, and the changes: (old, new). The
 # old text stands in solution.py exactly once.
 
