@@ -1,8 +1,11 @@
 """Pairs that share what is rare: found first where they are, and nowhere in an honest class."""
 
+import json
 import re
 from functools import cache
+from pathlib import Path
 
+import jsonschema
 import pytest
 from folded import each
 
@@ -14,6 +17,10 @@ from landscape.course.roster.copies_page import as_json, as_lines, as_section, l
 from landscape.course.roster.grades import Graded, Row
 from landscape.course.roster.submissions import Submission
 from landscape.course.shelf import COURSE, exercise, source
+
+SCHEMA = json.loads(
+    (Path(__file__).resolve().parents[1] / "docs/exercises.schema.json").read_text("utf-8")
+)
 
 COUNT = 120
 NAME = "look_at"
@@ -164,6 +171,7 @@ def test_pairs_are_shown_side_by_side_and_never_as_a_verdict(planted: list[str])
     first, second = as_lines(found, plain)
     assert "It is no verdict" in first and "look_at: <b>10</b> and <b>110</b>: " in second
     (shown,) = as_json(found)
+    jsonschema.validate({"submissions": [], "copies": [shown]}, SCHEMA)
     assert shown["students"] == ["<b>10</b>", "<b>110</b>"] and shown["score"] > LEAST
     in_french = as_lines(found, translator("fr", "course"))[1]
     assert in_french.startswith("look_at\u00a0: <b>10</b> et <b>110</b>\u00a0: ")

@@ -1,10 +1,12 @@
 """The exercises: solutions pass, and each mistake gets a hint of its own."""
 
+import json
 import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+import jsonschema
 import pytest
 from folded import each
 from sweeps import Todays
@@ -191,6 +193,8 @@ def test_tests_that_need_a_failed_one_are_not_made(grader: Grader, tmp_path: Pat
     shown = as_json(report, lambda text, context="": text)
     assert [test["hint"] != "" for test in shown["tests"]] == [True, False, False, False]
     assert shown["picture_difference"] > 0.1 and shown["passed"] is False
+    schema = Path(__file__).resolve().parents[1] / "docs/exercises.schema.json"
+    jsonschema.validate(shown | {"cause": None}, json.loads(schema.read_text("utf-8")))
 
 
 def test_a_hint_names_the_students_own_line(grader: Grader, tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from xml.etree import ElementTree
 
+import jsonschema
 import pytest
 from commands import landscape, refused
 
@@ -21,6 +22,10 @@ from landscape.course.shelf import exercise
 
 FOLDER = "{}_{}_assignsubmission_file"
 HEADERS = "Identifier,Full name,Grade,Last modified (grade),Feedback comments"
+
+
+ROOT = Path(__file__).resolve().parents[1]
+SCHEMA = json.loads((ROOT / "docs/exercises.schema.json").read_text(encoding="utf-8"))
 
 
 def solution(name: str) -> str:
@@ -148,7 +153,11 @@ def test_a_class_is_a_row_each_in_every_table(
     read = list(csv.DictReader(io.StringIO(tables.as_csv(list(rows.values())).decode())))
     assert [row["student"] for row in read] == ["'=Cy", "Ada", "Bo", "Di"]
     assert [row["passed"] for row in read] == ["no", "yes", "no", "no"]
-    whole = json.loads(tables.as_json(list(rows.values())))["submissions"]
+    whole = json.loads(tables.as_json(list(rows.values())))
+    jsonschema.validate(whole, SCHEMA)
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate({"submissions": [{**whole["submissions"][0], "points": "1"}]}, SCHEMA)
+    whole = whole["submissions"]
     assert whole[1]["tests"][0]["passed"] is True and whole[2]["hint"] == bo.hint
     suites = ElementTree.fromstring(tables.as_junit(list(rows.values())))
     assert [suite.get("failures") for suite in suites] == ["0", "0", "1", "0"]
@@ -181,17 +190,30 @@ JUNIT = {
 }
 
 
-def test_junit_reports_are_as_their_schema_says_and_their_counts_are_right() -> None:
+def judged() -> list[Row]:
+    """Return rows of a class: one with tests, one that did not end, one without a program."""
     tests = [
         {"name": "a", "passed": True, "hint": "", "points": 1.0, "hidden": False},
         {"name": "b", "passed": False, "hint": "<why>", "points": 2.0, "hidden": False},
         {"name": "c", "passed": None, "hint": "", "points": 1.0, "hidden": True},
     ]
-    rows = [
+    return [
         Row("Ada", "1", "a.py", tests=tests, points=1.0, of=4.0),
         Row("Bo", "2", "b.py", tests=tests, of=4.0, error="did not end"),
         Row("Cy", "3", "c.py", error="no program"),
     ]
+
+
+def test_a_reader_of_junit_reports_finds_each_test() -> None:
+    junitparser = pytest.importorskip("junitparser")
+    read = junitparser.JUnitXml.fromstring(tables.as_junit(judged()))
+    assert [suite.name for suite in read] == ["Ada", "Bo", "Cy"]
+    results = [[type(each).__name__ for case in suite for each in case.result] for suite in read]
+    assert results == [["Failure", "Skipped"], ["Error"], ["Error"]]
+
+
+def test_junit_reports_are_as_their_schema_says_and_their_counts_are_right() -> None:
+    rows = judged()
     root = ElementTree.fromstring(tables.as_junit(rows))
     for element in root.iter():
         attributes, inside = JUNIT[element.tag]
