@@ -17,6 +17,7 @@ BOXES = {
     "pennant": (0.35, 0.02, 0.55, 0.12),
 }
 LINES = ("GL_LINES", "GL_LINE_LOOP", "GL_LINE_STRIP")
+PENNANT_COLOR = np.array((0.95, 0.62, 0.35))
 NEAR = 0.01  # chosen: by which a corner may be elsewhere
 
 
@@ -291,7 +292,13 @@ def pennant(work, solution):
         return hint(
             _("The pennant has the colour of a corner of the sail: no other one was set since.")
         )
-
+    if np.abs(draw.colors[:, :3] - color).max() < NEAR < np.abs(color - PENNANT_COLOR).max():
+        return hint(
+            _("The pennant is {red:.2f} red, {green:.2f} green, {blue:.2f} blue."),
+            red=color[0],
+            green=color[1],
+            blue=color[2],
+        )
     return None
 
 

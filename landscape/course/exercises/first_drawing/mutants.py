@@ -123,6 +123,11 @@ MUTANTS = {
         "puts a corner elsewhere", "sail", [("glVertex2f(0.6, -0.25)", "glVertex2f(0.6, 0.25)")]
     ),
     "pennant_color": Mutant("sets no colour for the pennant", "pennant", [(PENNANT, "")]),
+    "pennant_bytes": Mutant(
+        "gives the pennant's colour in bytes",
+        "pennant",
+        [(PENNANT, "    glColor3ub(95, 62, 35)\n")],
+    ),
     "hull_color": Mutant(
         "swaps green and blue", "hull", [(HULL_COLOR, "    glColor3f(0.55, 0.2, 0.33)\n")]
     ),

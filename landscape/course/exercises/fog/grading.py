@@ -181,11 +181,16 @@ def sky(work, solution):
                 ),
                 line=line(work, "glClearColor"),
             )
-        return hint(
-            _("The sky is not fogged: line {line} sets the colour that glClear leaves, {color}."),
-            line=line(work, "glClearColor"),
-            color=rounded(last),
-        )
+        if at := line(work, "glClearColor"):
+            return hint(
+                _(
+                    "The sky is not fogged: line {line} sets the colour that glClear leaves, "
+                    "{color}."
+                ),
+                line=at,
+                color=rounded(last),
+            )
+        return hint(_("The sky is not fogged: without glClearColor, glClear leaves black."))
 
     return None
 

@@ -35,6 +35,7 @@ MUTANTS = {
     "black": Mutant("sets no colour", "color", [(COLOR, "")]),
     "grey": Mutant("takes another colour", "color", [("(*FOG, 1))\n", "(0.5, 0.5, 0.5, 1))\n")]),
     "blue_sky": Mutant("forgets the sky", "sky", [(SKY, "    glClearColor(0.3, 0.5, 0.8, 1)\n")]),
+    "no_sky": Mutant("sets no colour of the sky at all", "sky", [(SKY, "")]),
     "after_clear": Mutant(
         "sets the sky's colour after glClear",
         "sky",
