@@ -91,7 +91,7 @@ def scaled(pixels: int, scale: float) -> int:
 
 @dataclass(frozen=True)
 class Tile:
-    """What of a large picture is drawn, in pixels from its lower left corner.
+    """The part of a large picture that is drawn, in pixels from its lower left corner.
 
     ``x``, ``y`` is where the tile begins; ``block`` is x, y, width and height of the rectangle to
     which OpenGL projects, in which the tile is: the whole picture unless no viewport is as large.

@@ -20,7 +20,7 @@ NONE = "none"
 
 @dataclass(frozen=True)
 class Maker:
-    """What draws on a computer: versions, the OpenGL renderer, and a checksum of its arithmetic."""
+    """A computer's identity as a renderer: versions, OpenGL, and a checksum of its arithmetic."""
 
     landscape: str
     numpy: str

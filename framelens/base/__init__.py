@@ -1,1 +1,1 @@
-"""What everything stands on: errors, arguments, whole files, fonts, texts, progress."""
+"""The ground floor, used by all rooms: errors, arguments, files, fonts, texts, progress."""

@@ -42,7 +42,7 @@ Who = Callable[[str], Any]
 
 @dataclass(frozen=True)
 class Refused:
-    """What a worker returns that is not what is expected: its address, and how it differs."""
+    """The answer of a worker that cannot join: its address, and how it differs from the rest."""
 
     address: str
     differences: str
@@ -154,7 +154,7 @@ def engine(given: str, who: Who, refused: Callable[[InputError], None]) -> Itera
         raise InputError(
             "--engine {given}: needs Dask: run `{add}`", given=given, add=add
         ) from None
-    # What it says of a lost scheduler takes pages; the command says it in a line.
+    # Dask logs pages about a lost scheduler; the command says it in one line.
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
         client = Client(address, timeout=ANSWER, set_as_default=False)

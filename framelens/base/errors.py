@@ -144,7 +144,7 @@ _REPR = reprlib.Repr()
 _REPR.maxstring = _REPR.maxlong = _REPR.maxother = 60  # characters, chosen
 
 
-# What a terminal takes as commands, and what turns the direction of a text.
+# Control characters that a terminal obeys, and marks that reverse the direction of text.
 UNSEEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 

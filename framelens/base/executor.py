@@ -93,8 +93,8 @@ class Processes(ProcessPoolExecutor):
             process.join()
 
 
-# What a worker does: it ends inside a task or between two, but not while it sends a result, which
-# its parent would then wait for.
+# Held while a worker runs a task. A worker may end inside a task or between two, but not while it
+# sends a result: its parent would then wait for ever.
 _task = threading.Lock()
 _at_work = False
 
@@ -193,7 +193,7 @@ def in_order(
 
 
 class Kept(Generic[Result]):
-    """What a worker keeps open from one task to the next: one thing, the last that was asked for.
+    """A worker's cache from one task to the next: it keeps one thing open, the last asked for.
 
     Each thread has its own, as an OpenGL context belongs to one. One thread of a process works at
     a time.

@@ -35,8 +35,8 @@ SHORT_ARRAY = "where an array is shorter than it was told"  # how OpenGL crashes
 # Tells a command that it was started as the program's own process: the parent's number, and the
 # file that both share.
 VARIABLE = "LANDSCAPE_GUARDED"
-# What both processes see: when the program's will be ended if it has spent so many seconds of the
-# processor, and when in any case; and whether it ended by itself.
+# The memory that both processes see: when the program's process will be ended if it has spent so
+# many seconds of the processor, when in any case, and whether it ended by itself.
 SHARED = struct.Struct("ddd?")
 
 _now = time.monotonic  # the true clock, the same in both processes
@@ -50,7 +50,7 @@ def _memory() -> mmap.mmap:
 
 @dataclass
 class _Process:
-    """What this process knows: the command's, or the program's own."""
+    """This process's side of the guard: the command's process, or the program's own."""
 
     shared: mmap.mmap = field(default_factory=_memory)  # SHARED, seen by both processes
     alone: bool = False  # whether it is the program's own
@@ -104,7 +104,7 @@ def _work_alone(work: Callable[[], int]) -> NoReturn:
         say_unexpected(error)
     finally:
         _share(0.0, ended=True)
-        # What the program has left behind must not keep the process from its end.
+        # Threads or handlers that the program left behind must not keep the process alive.
         os._exit(status)
 
 

@@ -94,7 +94,7 @@ def main() -> NoReturn:
     limits.limit_memory(None)
     with answers:
         pickle.dump((result, error), answers, pickle.HIGHEST_PROTOCOL)
-    # What a library has left behind must not keep the process from its end.
+    # Threads or handlers that a library left behind must not keep the process alive.
     os._exit(0)
 
 

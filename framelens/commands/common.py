@@ -1,4 +1,4 @@
-"""What the commands that look into a frame have in common: their options, and how they end."""
+"""Options shared by the commands that look into a frame, and how these commands end."""
 
 import argparse
 import json

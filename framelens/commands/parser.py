@@ -30,7 +30,7 @@ ARGPARSE: Phrases = (
 
 
 class Command(Protocol):
-    """What the module of a command has."""
+    """The interface of a command's module."""
 
     EXAMPLE: str
     """The words that follow the command's name in the example of its help."""

@@ -18,7 +18,7 @@ from framelens.gl.seam import Lists
 
 
 class Context(Protocol):
-    """What every backend offers; ``release`` may be called twice. ``lists`` belong to calls.py."""
+    """The interface of a backend; ``release`` may be called twice. ``lists`` belong to calls.py."""
 
     backend: str
     lists: Lists

@@ -75,7 +75,7 @@ def choose(environment: Mapping[str, str]) -> tuple[str, str]:
 def import_glfw() -> Any:
     """Import the package glfw with its library for the display there is; NoOpenGLError without it.
 
-    What the user has chosen with the package's own variables is left alone.
+    A choice that the user made with the package's own variables is left alone.
     """
     own = {CHOICE, "PYGLFW_LIBRARY"} & os.environ.keys()
     kind = "" if own or sys.platform != "linux" or "glfw" in sys.modules else choose(os.environ)[0]

@@ -1,6 +1,6 @@
-"""What the current OpenGL has: version, extensions, texture units, widths of lines and points.
+"""The current OpenGL's version, extensions, texture units, and widths of lines and points.
 
-What each effect needs of them is in features.py.
+The requirements of each effect are in features.py.
 
 Mesa hides what it has by MESA_EXTENSION_OVERRIDE="-GL_ARB_multitexture ..." and
 MESA_GL_VERSION_OVERRIDE=1.3COMPAT, which is how one sees what an older OpenGL would show.
@@ -17,7 +17,7 @@ from framelens.gl.seam import gl, unnoted
 
 
 class Need(NamedTuple):
-    """What an effect needs: in OpenGL since ``version``, without that by one of ``extensions``."""
+    """A requirement: in OpenGL since ``version``, before that by one of ``extensions``."""
 
     version: tuple[int, int] | None
     extensions: tuple[str, ...] = ()

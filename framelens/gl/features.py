@@ -1,4 +1,4 @@
-"""What each part of the pictures needs of OpenGL: one table, asked before anything of it is used.
+"""The OpenGL features that each part of the pictures requires: one table, asked before any use.
 
 A name says what is drawn, or is the key of the setting that asks for it. What is not possible is
 left out: the rest of the picture stays. :func:`possible` says so once, in one line on stderr.
@@ -46,7 +46,7 @@ DEPTHS = (FRAMEBUFFERS, DEPTH_TEXTURE, SHADOW, BORDER)  # to draw into a texture
 
 
 class Feature(NamedTuple):
-    """What a part of the pictures needs: all of ``needs``, and so many texture units.
+    """The requirements of a part of the pictures: all of ``needs``, and so many texture units.
 
     A ``silent`` one changes the speed alone, or is replaced by something as good.
     """

@@ -75,7 +75,7 @@ def patched(make: Make) -> Iterator[None]:
         stack.callback(patches.remove, names)
         stack.callback(setattr, vbo.Implementation, "CHOSEN", None)
         vbo.Implementation.CHOSEN = None  # holds functions, chosen at the first use
-        # What raw holds takes arguments as in C, for PyOpenGL's own use.
+        # OpenGL.raw's functions take arguments as in C, for PyOpenGL's own use.
         stack.enter_context(replaced(("OpenGL",), choose, prefix="gl", but=("OpenGL.raw",)))
         for table in (getattr(OpenGL.GL.exceptional, table) for table in TABLES):
             stack.callback(table.update, dict(table))

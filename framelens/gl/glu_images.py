@@ -124,7 +124,7 @@ def scaled(image: Any, width: int, height: int, smooth: bool = False) -> Any:
 def _coverage(old: int, new: int, smooth: bool) -> Any:
     """Return the part that each of ``old`` pixels has in each of ``new`` ones: (new, old).
 
-    What lies beyond the edge is taken from the other side, as in a texture that repeats.
+    Beyond the edge, the other side continues, as in a texture that repeats.
     """
     step = old / new
     side = max(step, 1.0) if smooth else step

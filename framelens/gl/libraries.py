@@ -1,8 +1,8 @@
 """System libraries, loaded as the system's own loader finds them.
 
-ctypes.util.find_library asks ldconfig and a compiler. What only LD_LIBRARY_PATH or an RPATH leads
-to, as on NixOS, in Guix and in Conda, neither of them knows. So a library is first looked for under
-the file names that PyOpenGL tries, in PyOpenGL's order: both then have the same file.
+ctypes.util.find_library asks ldconfig and a compiler. Neither knows a library that is found only by
+LD_LIBRARY_PATH or an RPATH, as on NixOS, in Guix and in Conda. So a library is first looked for
+under the file names that PyOpenGL tries, in PyOpenGL's order: both then have the same file.
 """
 
 import ctypes

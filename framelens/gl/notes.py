@@ -155,7 +155,7 @@ that calls, and the arguments."""
 
 @runtime_checkable
 class Edits(Protocol):
-    """What changes calls as they are made (see framelens/tape/edits.py)."""
+    """Changes calls as they are made (see framelens/tape/edits.py)."""
 
     def begin(self) -> None:
         """A frame begins, or the setup."""

@@ -17,7 +17,7 @@ patches: list[dict[str, Callable[..., object]]] = []
 def original(name: str) -> object:
     """Return OpenGL's own function or enumerant of a name, whatever has taken its place.
 
-    What foreign.py replaced by names of GLU, GLUT and GLE is found, too.
+    Functions of GLU, GLUT and GLE that foreign.py replaced are found, too.
     """
     import OpenGL.GL
 

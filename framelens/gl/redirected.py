@@ -22,7 +22,7 @@ ASKED = {DRAW_BUFFER, READ_BUFFER, DOUBLEBUFFER, *BINDINGS.values()}
 
 
 class Substitute(Protocol):
-    """What stands for a window's framebuffer; see WindowFramebuffer."""
+    """The framebuffer object in place of a window's framebuffer; see WindowFramebuffer."""
 
     name: int
 

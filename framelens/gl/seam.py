@@ -120,7 +120,7 @@ Lists = dict[int, Listing]
 
 
 class Recorder:
-    """What a recording has collected; calls compiled into a list are listed under it.
+    """The calls that a recording has collected; those compiled into a list are listed under it.
 
     ``complete``: arrays are copied, so that the calls can be made again later
     (framelens/tape/tape.py). ``before`` and ``after`` are told of each call that is recorded, when
@@ -170,7 +170,7 @@ Origin = tuple[tuple[str, ...], str, Site]  # of a call: the elements that draw,
 
 
 class State(NamedTuple):
-    """What the seam does with a call that is made now; ``lists`` are the current context's."""
+    """The seam's current mode: how it treats each call; ``lists`` are the current context's."""
 
     lists: Lists
     recorder: Recorder | None = None

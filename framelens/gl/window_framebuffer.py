@@ -1,7 +1,7 @@
 """A framebuffer object in the place of a hidden window's own framebuffer.
 
-What a window that nobody sees holds is undefined: OpenGL may leave out pixels that no screen owns,
-and NVIDIA's driver and macOS do. So a program with a hidden window draws into a framebuffer object
+The pixels of a hidden window are undefined: OpenGL may leave out pixels that no screen owns, and
+NVIDIA's driver and macOS do. So a program with a hidden window draws into a framebuffer object
 of the window's size, and does not notice: redirected.py has it stand for framebuffer 0.
 
 Two things differ, as they do with OSMesa or EGL: back and front are one image, and there is no

@@ -26,7 +26,7 @@ def _differ(before: Row, after: Row) -> bool:
 
 
 class Inspector:
-    """What the inspector shows and what was changed in it.
+    """The inspector's state: the shown frame, the selection, and the user's edits.
 
     ``edits`` are in force. ``version`` changes with whatever can be seen. ``wants`` has "save",
     "pixel", "why", "why_all" or "close" where that is to be done; ``pixel`` is the one asked about,

@@ -43,7 +43,7 @@ MARGIN = 48  # chosen: margins of the panel that fill the window's height
 def leaks(edits: Sequence[Edit], usual: Mapping[str, object] | None) -> bool:
     """Whether a frame with the edits, just drawn, has left other state behind than is ``usual``.
 
-    What follows the walker's eye does not count, and a number is set by the same call again.
+    State that follows the walker's eye does not count, and a number is set by the same call again.
     """
     if not any(edit.skip or isinstance(edit.value, (str, bool)) for edit in edits):
         return False

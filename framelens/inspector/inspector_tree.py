@@ -1,7 +1,7 @@
 """The frame as a tree: passes, elements, calls, and the calls inside display lists. No OpenGL.
 
 An element that draws twice in a pass stands there twice: the order of the calls is that of the
-frame. What lies between a glBegin and its glEnd is folded under the glBegin.
+frame. The calls between a glBegin and its glEnd are folded under the glBegin.
 
 Every row has an identity that outlives the frame: a call is what framelens/tape/edits.py finds
 again, so a row stays chosen, and open, when the frame is recorded anew.

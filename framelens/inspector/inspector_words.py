@@ -2,7 +2,7 @@
 
 from framelens.base.texts import Phrases, reworded, translator
 
-# What framelens/tape/pixel.py and framelens/tape/arithmetic.py write.
+# Phrases that framelens/tape/pixel.py and framelens/tape/arithmetic.py write.
 PHRASES: Phrases = (
     "fog has this colour already",
     "the light is behind the surface",

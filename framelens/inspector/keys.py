@@ -14,8 +14,8 @@ Namer = Callable[[int], str]  # from a key's code to what is printed on it
 PRINTING = (*map(ord, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789',-./;=[\\]`"), glfw.KEY_WORLD_1)
 SIGNS = {"+": "more", "=": "more", "-": "less"}
 
-# What keys do while the inspector is open, alone, with Shift and with Control; a sign is written by
-# its letter, as for the list.
+# The keys of the open inspector, alone, with Shift and with Control; a sign is written as the
+# character itself, as in the list of keys.
 INSPECTING = {
     glfw.KEY_UP: "up",
     glfw.KEY_DOWN: "down",

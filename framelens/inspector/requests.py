@@ -1,4 +1,4 @@
-"""What the user asks of the open inspector between two frames, by keys and mouse."""
+"""The user's requests to the open inspector between two frames, by keys and mouse."""
 
 from framelens.gl.glfw_library import glfw
 from framelens.inspector.keys import INSPECTING_REPEATED, Namer, inspect_pick, us_name

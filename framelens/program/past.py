@@ -1,4 +1,4 @@
-"""What came before a frame: which call set each variable last, and how the first frame began.
+"""The time before a frame: which call set each variable last, and how the first frame began.
 
 A tape holds the calls of one frame. Who asks why it looks as it does needs the lines that set what
 the frame begins with, made frames ago; and what the very first picture began with, to tell what
@@ -122,7 +122,7 @@ class Setters:
 
 @dataclass
 class Past:
-    """What came before a program's frame, and how it shows it.
+    """The past of a program's frame, and how the program shows the frame.
 
     ``setters`` are those when the frame begins; ``first`` is the state in which the first frame
     began to draw, ``now`` that of this frame. ``chains`` has the lines that led to each call of the

@@ -11,7 +11,7 @@ from framelens.gl.contexts import cgl, egl, osmesa
 from framelens.gl.contexts.software import ask_for_software
 from framelens.program.program_source import Source
 
-# What has to be there for a context without a screen, and PyOpenGL's name for its platform.
+# The library that a context without a screen needs, and PyOpenGL's name for its platform.
 WITHOUT_SCREEN = {
     "osmesa": (osmesa.library, "osmesa"),
     "egl": (egl.library, "egl"),

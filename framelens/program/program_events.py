@@ -85,7 +85,7 @@ class Event:
 
     @property
     def text(self) -> str:
-        """What the key writes, control characters left out; "" if nothing."""
+        """The text that the key types, without control characters; "" if none."""
         if self.kind != "key" or not self.pressed:
             return ""
         return _WRITE.get(self.name, ("", ""))["shift" in self.mods]

@@ -24,13 +24,13 @@ from framelens.program.program_events import BUTTONS, KEYS, MODS, Event
 from framelens.program.program_run import Run, Window
 from framelens.program.program_source import need_package
 
-# What sets a callback; those for errors and devices are GLFW's own.
+# Functions that set a callback; those for errors and devices are GLFW's own.
 CALLBACKS = (
     *("window_pos", "window_size", "window_close", "window_refresh", "window_focus"),
     *("window_iconify", "window_maximize", "framebuffer_size", "window_content_scale"),
     *("key", "char", "char_mods", "mouse_button", "cursor_pos", "cursor_enter", "scroll", "drop"),
 )
-# What a hidden window cannot do, and a picture does not need.
+# Functions that a hidden window cannot perform and a picture does not need.
 WITHOUT_EFFECT = (
     *("show_window", "hide_window", "focus_window", "iconify_window", "maximize_window"),
     *("restore_window", "request_window_attention", "set_window_pos", "set_window_icon"),
@@ -55,7 +55,7 @@ def glfw_program(run: Run) -> Iterator[None]:
 
 
 class _Glfw:
-    """What a program's calls of GLFW do. The public methods have the names of GLFW's functions."""
+    """Stands in for GLFW. The public methods have the names of GLFW's functions."""
 
     def __init__(self, run: Run, glfw: Any, backend: str) -> None:
         self._run = run

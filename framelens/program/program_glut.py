@@ -27,7 +27,7 @@ from framelens.program.program_live import LiveWindow
 from framelens.program.program_run import Run, Window
 from framelens.program.program_source import ProgramError
 
-# What needs someone who looks at the window.
+# Functions that only matter to someone who looks at the window.
 WITHOUT_EFFECT = (
     *("FullScreen", "FullScreenToggle", "LeaveFullScreen", "PositionWindow", "IconifyWindow"),
     *("HideWindow", "ShowWindow", "PushWindow", "PopWindow", "SetCursor", "IgnoreKeyRepeat"),
@@ -35,7 +35,7 @@ WITHOUT_EFFECT = (
 )
 # Callbacks after which the display callback comes anyway: they and it make one frame.
 BEFORE_DISPLAY = ("Reshape", "Visibility", "WindowStatus")
-# What needs a window of freeglut's own, and what it answers where another one is shown.
+# Functions that need a window of freeglut's own, and their answers where another one is shown.
 OF_OWN_WINDOW = {
     **dict.fromkeys(("SetWindow", "SetWindowTitle", "SetIconTitle", "UseLayer", "SetMenu"), None),
     **dict.fromkeys(("AddMenuEntry", "AddSubMenu", "ChangeToMenuEntry", "DestroyMenu"), None),
@@ -105,7 +105,7 @@ def glut_program(run: Run) -> Iterator[None]:
 
 
 class _Glut:
-    """What a program's calls of GLUT do; the methods have the names of GLUT's functions."""
+    """Stands in for GLUT; the methods have the names of GLUT's functions."""
 
     def __init__(self, run: Run, glut: types.ModuleType) -> None:
         self._run = run
@@ -127,7 +127,7 @@ class _Glut:
         self._ready = False
         self._quiet = 0  # turns of the loop since the last frame
 
-        # What an earlier program in this process left. The program may choose before glutInit.
+        # Undo the choices of an earlier program in this process. They may come before glutInit.
         self._real.glutInitDisplayMode(DEPTH)  # freeglut's default
         self._real.glutInitWindowSize(*self._size)
         self._real.glutInitWindowPosition(-1, -1)

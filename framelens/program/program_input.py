@@ -1,4 +1,4 @@
-"""What a program reads: the user's standard input, for as long as the user takes."""
+"""A program's standard input: the user's own, for as long as the user takes to answer."""
 
 import io
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""What a program prints goes to standard error, as far as somebody may want to read it."""
+"""A program's output goes to standard error, cut where nobody would read on."""
 
 import io
 import sys

@@ -1,4 +1,4 @@
-"""What a process lends to a program that runs in it, and takes back."""
+"""The parts of a process that a program borrows while it runs, and their return."""
 
 import gc
 import os

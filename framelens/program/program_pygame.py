@@ -151,7 +151,7 @@ def _choose(run: Run, pygame: Any) -> str:
 
 
 class _Pygame:
-    """What a program's calls of pygame do; the methods are named after module and function."""
+    """Stands in for pygame; the methods are named after module and function."""
 
     def __init__(self, run: Run, pygame: Any, backend: str) -> None:
         self._run = run

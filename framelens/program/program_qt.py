@@ -76,7 +76,7 @@ def qt_program(run: Run) -> Iterator[None]:
 
 
 class _Qt:
-    """What a program's calls of Qt do, as far as they concern time, events and drawing."""
+    """Stands in for Qt, as far as time, events and drawing are concerned."""
 
     def __init__(self, run: Run, binding: str) -> None:
         self.run = run

@@ -16,7 +16,8 @@ from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
 from framelens.base.installation import how_to_add
 
-# In this order: GLUT may only draw its shapes and letters. What makes a context current in each.
+# Each toolkit's call that makes a context current. The order counts: a program of GLFW or pygame
+# may use GLUT for its shapes and letters only.
 TOOLKITS = {
     "glfw": "glfw.make_context_current",
     "pygame": "pygame.display.set_mode",
@@ -72,12 +73,12 @@ class Source:
 
     @property
     def other(self) -> str:
-        """What users call another library that opens windows, of those that are imported."""
+        """The usual name of an imported library that opens windows by itself; "" if none is."""
         return next((name for module, name in OTHERS.items() if module in self.modules), "")
 
     @property
     def past(self) -> str:
-        """What users call an imported library that calls OpenGL past PyOpenGL; "" if none is."""
+        """The usual name of an imported library that bypasses PyOpenGL; "" if none is."""
         found = (name for module, name in PAST_PYOPENGL.items() if module in self.modules)
         return next(found, "")
 
@@ -205,7 +206,7 @@ def _imported_by_name(data: bytes, tree: ast.Module) -> Iterator[str]:
                 yield given
 
 
-# What holds further statements: also of `except` and `case`, which are none themselves.
+# Fields of a syntax node that hold statements, also those of `except` and `case`.
 BLOCKS = ("body", "orelse", "finalbody", "handlers", "cases")
 
 

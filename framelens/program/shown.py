@@ -1,4 +1,4 @@
-"""What a window on a screen would show of a frame, where that is not what the program has drawn.
+"""A frame as a window on a screen would show it, where that differs from the program's drawing.
 
 A program that is run to a frame draws into a hidden window, and its picture is read before it is
 shown. So a frame that is never shown looks like one that is; these lines say the difference.

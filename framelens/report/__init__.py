@@ -1,1 +1,1 @@
-"""What the commands print and draw of a frame: text, JSON, sheets, animations, pages."""
+"""Reports of a frame that the commands print and draw: text, JSON, sheets, animations, pages."""

@@ -34,7 +34,7 @@ SECONDS = 120.0  # chosen: after which a frame is given up
 
 @dataclass(frozen=True)
 class Html:
-    """What a notebook shows as HTML."""
+    """A result that a notebook shows as HTML."""
 
     html: str
 
@@ -44,7 +44,7 @@ class Html:
 
 @dataclass(frozen=True)
 class PixelHistory(Html):
-    """What happened to a pixel; ``rows`` are as of `framelens pixel --json`."""
+    """A pixel's history; ``rows`` are those of `framelens pixel --json`."""
 
     rows: Sequence[dict[str, Any]]
 
@@ -164,7 +164,7 @@ def _place(x: int, y: int) -> tuple[int, int]:
     return arguments.whole(x, "x"), arguments.whole(y, "y")
 
 
-# What follows is done in the other process. Each answer comes with lines for the user.
+# The functions below run in the other process. Each answer comes with lines for the user.
 
 
 def _looked(target: Any, use: Callable[[Tape], T]) -> tuple[T, list[str]]:

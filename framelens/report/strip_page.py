@@ -1,4 +1,4 @@
-"""What a strip holds, whatever its file's format: its cells, and how text and pictures are set."""
+"""A strip's contents, whatever its file's format: its cells, and how text and pictures are set."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Page:
-    """What all steps share; ``count`` is how many there are, ``size`` the frame's in pixels."""
+    """The head of a strip; ``count`` is its number of steps, ``size`` the frame's in pixels."""
 
     title: str
     intro: str

@@ -52,7 +52,7 @@ VALUES = 10  # chosen: stencil values in the legend
 
 @dataclass(frozen=True)
 class Legend:
-    """What the tones of a buffer mean: a heading, and colours with their meaning."""
+    """The legend of a buffer's tones: a heading, and colours with their meaning."""
 
     heading: str
     entries: Sequence[tuple[RGB, str]]

@@ -1,4 +1,4 @@
-"""What a strip says. The translations are in locale/LANGUAGE/strip.po."""
+"""A strip's texts. The translations are in locale/LANGUAGE/strip.po."""
 
 from framelens.base.texts import Texts, translator
 

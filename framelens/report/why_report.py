@@ -29,7 +29,7 @@ def find(
     found = _looked(target, pixel, limit, language, quiet)
     after = target.following()
     if after is not None and not found.causes and found.drew:
-        # What swaps twice shows a good picture first, and an old one at once afterwards.
+        # A program that swaps twice shows a good picture, and at once an old one in its place.
         with suppress(InputError):
             again = after.look(lambda tape: _swapped_again(tape, limit, language), past=True)
             return again or found

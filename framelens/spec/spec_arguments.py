@@ -1,4 +1,4 @@
-"""What an argument is and what it may be, given the call's other arguments."""
+"""An argument's kind and its legal values, given the call's other arguments."""
 
 import ctypes
 import functools

@@ -395,7 +395,7 @@ FUNCTIONS: dict[tuple[str, str], str] = {
         glGetQueryiv            target:enum=query_target pname:enum=query_parameter params:array
         glGetQueryObject{i,ui}v id:object=query pname:enum=query_object_parameter params:array
     """,
-    # What fixed-function programs use of later versions.
+    # Functions of later versions that fixed-function programs use.
     ("framebuffer", "3.0"): """
         glGenFramebuffers           n:count framebuffers:array=framebuffer
         glDeleteFramebuffers        n:count framebuffers:array=framebuffer

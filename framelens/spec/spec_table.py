@@ -24,7 +24,7 @@ SMALLEST = 1e-6  # chosen: the least number that counts as positive where OpenGL
 
 @dataclass(frozen=True)
 class Parameter:
-    """What one argument is.
+    """The kind of one argument.
 
     ``of`` names the group of legal enumerants or bits, what an object is ("texture", "list", ...)
     or what a vector holds ("color", "position", "direction", "plane", ...). ``other`` is the

@@ -1,8 +1,8 @@
-"""What functions, arguments and enumerants do, in a line each.
+"""One line of explanation for each function, argument and enumerant.
 
 ARGUMENTS are found by "function.parameter", else by "group.parameter" (a group of spec_functions),
 else by the parameter alone; ENUMERANTS by "group.enumerant" (a group of spec_enumerants), else by
-the enumerant alone. What a property means stands there, too. The translations are in
+the enumerant alone. Properties are explained there, too. The translations are in
 locale/LANGUAGE/calls.po.
 """
 

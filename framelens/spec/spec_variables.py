@@ -51,7 +51,7 @@ SETS = {
     "glViewport": "GL_VIEWPORT",
     "glDepthRange": "GL_DEPTH_RANGE",
     "glClipPlane": "{plane}.equation",
-    # What glEnable switches.
+    # Capabilities that glEnable switches.
     "glEnable": "{cap}",
     "glDisable": "{cap}",
     "glEnableClientState": "{array}",

@@ -287,7 +287,7 @@ PIXELS: tuple[Row, ...] = (
 )
 PIXEL_MAPS = names("pixel_map")
 
-# What an evaluator gives, and the control point that it starts with.
+# Each kind of evaluator, and its initial control point.
 EVALUATED: dict[str, tuple[float, ...]] = {
     "COLOR_4": (1.0, 1.0, 1.0, 1.0),
     "INDEX": (1.0,),

@@ -78,7 +78,7 @@ def _groups(names: Mapping[str, object]) -> Iterator[tuple[str, list[str]]]:
             yield group, mine
 
 
-# What there are several of, each with several variables: one alternative for each kind.
+# Objects that exist several times, each with several variables: one alternative for each kind.
 _OWNER = re.compile(
     r"(GL_CLIP_PLANE\d)|(GL_LIGHT\d)|(GL_FRONT|GL_BACK)\.|(GL_TEXTURE\d)|(GL_PIXEL_MAP_\w+)"
     r"|(GL_MAP[12]_(?!GRID)\w+)"

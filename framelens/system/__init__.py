@@ -1,4 +1,4 @@
-"""What operating systems do differently: one function for each, and a form of it per system.
+"""Differences between operating systems: one function for each, in a form per system.
 
 ``posix.py`` and ``windows.py`` define the same names; this chooses between them. Nothing else in
 the package asks for a signal, a lock or a way to wait that only some systems have.

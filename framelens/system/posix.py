@@ -17,7 +17,7 @@ from pathlib import Path
 
 assert sys.platform != "win32"
 
-# What ends a program from outside: `kill`, and a terminal that closes.
+# Signals that end a program from outside: `kill`, and a terminal that closes.
 ENDING_SIGNALS = (signal.SIGTERM, signal.SIGHUP)
 
 

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from framelens import system
 
 LEAST_MEMORY = 1 << 30  # chosen: bytes of memory for each process; the largest scene takes 0.9 GB
-# What a process is started with, unless the user has set it: llvmpipe draws in the process's own
+# Environment of a new process, unless the user has set it: llvmpipe draws in the process's own
 # thread, and numpy's library starts none.
 ONE_CORE = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 

@@ -168,7 +168,7 @@ NOT_THERE: Numbers = {
 CLONE, THREAD = (56, 220), 0x10000
 # Signals are for the process itself: the first argument is its number.
 SIGNALS: Numbers = {"kill": (62, 129), "tgkill": (234, 131)}
-# What some values of an argument make of harmless calls: (numbers, which argument, values).
+# Harmless calls that some values of an argument make harmful: (numbers, which argument, values).
 VALUES: dict[str, tuple[tuple[int, int], int, tuple[int, ...]]] = {
     # Live on without the parent, adopt its orphans, be looked into or no more; change its own
     # memory's map.

@@ -1,4 +1,4 @@
-"""What processes share that draw together: memory, and a bell that wakes one.
+"""Shared memory for processes that draw together, and a bell that wakes one of them.
 
 Both go to a process with the arguments that it is started with. They have no name by which
 another program could find them by chance.

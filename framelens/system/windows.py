@@ -19,7 +19,7 @@ from pathlib import Path
 
 assert sys.platform == "win32"
 
-# What ends a program from outside; SIGBREAK: Ctrl-Break, and a console that closes.
+# Signals that end a program from outside; SIGBREAK: Ctrl-Break, and a console that closes.
 ENDING_SIGNALS = (signal.SIGTERM, signal.SIGBREAK)
 
 # Chosen: a virus scanner or a reader holds a file for less.

@@ -1,4 +1,4 @@
-"""What the framebuffer holds when a frame begins: not every program clears it."""
+"""The framebuffer's contents when a frame begins: not every program clears it."""
 
 from dataclasses import dataclass
 

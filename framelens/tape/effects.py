@@ -1,4 +1,4 @@
-"""What each call of a frame does to the state: the variables that it sets, before and after it.
+"""The effect of each call of a frame on the state: the variables it sets, before and after it.
 
 A call that sets what is set already is redundant. The frame is made once more, call by call, and
 only the variables that a call sets are read, so that a frame of two thousand calls takes a fraction

@@ -24,7 +24,7 @@ Fragment = Callable[[Callable[[], None]], np.ndarray]
 
 @dataclass(frozen=True)
 class Light:
-    """What a light gives to a fragment, each RGB.
+    """The parts of a light's contribution to a fragment, each RGB.
 
     ``facing`` is N.L, the cosine of the angle between normal and light, 0 where the light is behind
     the surface; ``reach`` is what attenuation and the cone of a spotlight leave. They are None

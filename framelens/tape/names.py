@@ -1,4 +1,4 @@
-"""What the passes and elements of a frame are called, in the user's language."""
+"""Names of a frame's passes and elements, in the user's language."""
 
 from framelens.base.texts import Texts, translator
 

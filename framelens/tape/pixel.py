@@ -23,7 +23,7 @@ from framelens.tape.textures import completeness
 
 # Between these, OpenGL counts or selects for the program itself.
 ASIDE = ("glBeginQuery", "glEndQuery", "glRenderMode", "glSelectBuffer", "glFeedbackBuffer")
-# What takes pixels of the frame to somewhere else: then all of them must be right.
+# Calls that copy pixels of the frame elsewhere: with one of them all pixels must be right.
 COPIES = ("glCopy", "glBlitFramebuffer", "glAccum")
 WHOLESALE = ("glClear", *COPIES)
 

@@ -22,7 +22,7 @@ TESTS = ("clip", "alpha", "stencil", "depth")
 
 @dataclass(frozen=True)
 class Pixel:
-    """What the framebuffer holds at a pixel: RGBA from 0 to 255, depth 0 to 1, stencil."""
+    """The framebuffer's values at a pixel: RGBA from 0 to 255, depth 0 to 1, stencil."""
 
     color: tuple[int, int, int, int]
     depth: float | None

@@ -11,7 +11,7 @@ from framelens.gl.seam import gl
 
 Box = tuple[int, int, int, int]
 
-# What a program may have set for its own transfers of pixels, and what leaves them as they are.
+# State that a program may have set for its own pixel transfers, with neutral values.
 STORED = {
     **dict.fromkeys(("SWAP_BYTES", "LSB_FIRST", "ROW_LENGTH", "SKIP_ROWS", "SKIP_PIXELS"), 0),
     "ALIGNMENT": 1,

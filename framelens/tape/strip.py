@@ -52,7 +52,7 @@ class Group:
 
     @property
     def draws(self) -> list[Draw]:
-        """What draws, clears included."""
+        """The calls that draw, clears included."""
         return [item for item in self.items if isinstance(item, Draw)]
 
     @property
@@ -123,7 +123,7 @@ def _finish(group: Group, pending: Sequence[Step]) -> list[Step]:
 
 @dataclass(frozen=True)
 class Survey:
-    """What the pictures of a strip have in common.
+    """Values shared by all pictures of a strip.
 
     ``lens`` tells distances from depths, and ``depths`` are the least and the greatest depth drawn
     in any picture, 0 to 1; None where nothing was drawn, or depth was not asked for. ``layers`` has

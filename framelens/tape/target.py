@@ -18,7 +18,7 @@ class Target(Protocol):
 
     @property
     def name(self) -> str:
-        """What the user calls it."""
+        """The name by which the user asked for it."""
 
     @property
     def is_program(self) -> bool:

@@ -42,7 +42,7 @@ MOST = 200_000  # vertices of a draw that are looked at; chosen
 
 @dataclass
 class Vertices:
-    """What a draw sends: ``positions`` float64 (n, 4), and the faces as lists of their indices.
+    """The vertices of a draw: ``positions`` float64 (n, 4), and faces as lists of their indices.
 
     ``colors``, ``coords`` and ``normals`` are the calls' own numbers, of those vertices for which
     one was given inside the draw; ``places`` are the vertices' calls.

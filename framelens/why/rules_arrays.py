@@ -42,7 +42,7 @@ ARRAY_BUFFER, ELEMENTS = 0x8892, 0x8893
 
 
 class Buffers:
-    """What the program has put into buffer objects, and where its pointers point.
+    """The contents of the program's buffer objects, and where its pointers point.
 
     Follows all calls that the tape has; pointers set frames ago come from the last setters.
     """

@@ -275,7 +275,7 @@ def _wiped(survey: Survey) -> Iterator[Suspect]:
         if matrix is None:
             continue
         if mode == "GL_PROJECTION":
-            # What came after the projection belongs to the modelview matrix.
+            # The calls after the projection belong to the modelview matrix.
             change = with_matrix("GL_PROJECTION", always(matrix), survey.shapes) | (
                 with_matrix(
                     "GL_MODELVIEW",
@@ -602,7 +602,7 @@ def unbalanced(survey: Survey) -> Iterator[Suspect]:
     if change is not None:
         yield _without_pop(pushes, change, 84)
     if survey.past is not None and survey.past.frame:
-        # What the frames before have left on the stack may have filled it.
+        # Matrices that earlier frames left on the stack may have filled it.
         yield _without_pop(pushes, Change(start=[_emptied]) | (change or NOTHING), 82)
 
     # Else nobody can tell where it was forgotten: after a draw that follows, or at the end.

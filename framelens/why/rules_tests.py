@@ -583,7 +583,7 @@ def translucent_first(survey: Survey) -> Iterator[Suspect]:
         and d.state["GL_BLEND_DST_RGB"] not in ("GL_ZERO",)
     ]
 
-    # What lies behind a plane of water may well be hidden: a smaller share proves less.
+    # Objects behind a plane of water may well be hidden: a smaller share proves less.
     share = 3 if survey.pixel is None else 5
     for glass in glasses[:20]:
         later = [d for d in survey.shapes if d.index > glass.index and d.state["GL_DEPTH_TEST"]]

@@ -3,7 +3,8 @@
 In this order: the frame is drawn, and before each draw the variables of :data:`NAMES` are read and
 its vertices collected; after it, where there are few draws, the picture is compared with the one
 before. Then occlusion queries count, draw by draw, the fragments that pass all tests, and those
-that there would be without any test. What set each variable is followed from the frames before on.
+that there would be without any test. The last setter of each variable is known from the frames
+before on.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -135,7 +136,7 @@ class Drawn:
 
 @dataclass
 class Survey:
-    """What the rules look at: a frame's draws, its base picture, and what came before it.
+    """The material of the rules: a frame's draws, its base picture, and its past.
 
     ``pixel`` is the place asked about, from the top left, or None. ``place_of`` gives the place
     of a call in the frame as it was recorded, by its number; ``called`` are the display lists that
@@ -154,7 +155,7 @@ class Survey:
 
     @property
     def past(self) -> Past | None:
-        """What came before the frame, where the tape is that of a program."""
+        """The frame's past, where the tape comes from a program."""
         return self.tape.past
 
     @property

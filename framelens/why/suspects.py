@@ -1,4 +1,4 @@
-"""What a rule hands over: a suspected cause, and the change that would mend it; and common changes.
+"""Suspects: a suspected cause with the change that would mend it; and changes that rules share.
 
 A rule is a function of a :class:`framelens.why.survey.Survey` that yields :class:`Suspect` objects.
 It only suspects: diagnosis.py tries the change, and names no cause whose change is not seen.

@@ -1,4 +1,4 @@
-"""What one sees while walking: how many frames, and how far they are from stills.
+"""Measures the picture during a walk: frames per second, and how far frames are from stills.
 
 `landscape bench --moving` opens the walk's own window, walks ahead and turns for five seconds of
 real time as the walk draws them, and keeps what each frame showed and with how much detail. Then,

@@ -1,4 +1,4 @@
-"""What every command that draws is given on the command line: settings, preset, notices."""
+"""Options of every command that draws: settings, preset; and the notices that follow from them."""
 
 import argparse
 from collections.abc import Mapping, Sequence

@@ -1,4 +1,4 @@
-"""What the commands that look into a frame share: whether it is that of a view or of a program."""
+"""Shared by the commands that look into a frame: is it the frame of a view or of a program?"""
 
 import argparse
 from collections.abc import Callable, Sequence

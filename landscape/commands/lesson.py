@@ -140,7 +140,7 @@ def copy(chosen: Lesson, folder: Path) -> list[Path]:
     """Copy a lesson, its data and its programs into a folder, which is made; return the copies.
 
     InputError, and nothing is copied, if one of the files is there already with another content.
-    What the lesson imports may be there in another language.
+    The modules that the lesson imports may be there in another language.
     """
     check_output_folder(folder, "--copy ")
     language = choose(os.environ)

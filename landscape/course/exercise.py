@@ -43,7 +43,7 @@ from landscape.course.solutions import solution as solution_of
 
 @dataclass(frozen=True)
 class Report:
-    """What a check has found; without ``results`` if the program could not be graded.
+    """The result of a check; without ``results`` if the program could not be graded.
 
     ``difference`` is the fraction of the pixels that differ, in the frame where most do. ``error``
     has a word of troubles.py and the values of its sentence. ``contained`` is what contained the

@@ -1,4 +1,4 @@
-"""What students get of exercises, and what their teacher keeps.
+"""Packages of exercises: one for the students, one that their teacher keeps.
 
 Students get the program that each exercise starts from. Of a lecturer's own exercises they also get
 what checks it: the tests that they may see, and the solution as the calls that it makes

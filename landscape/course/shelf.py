@@ -89,7 +89,7 @@ class Exercise:
 
     @property
     def translate(self) -> "Translate":
-        """What translates its texts."""
+        """A function that translates the exercise's texts."""
         return Translate(self.domain)
 
 

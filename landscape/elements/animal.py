@@ -1,4 +1,4 @@
-"""What both animals share: a lit, textured triangle mesh in a display list (section 7).
+"""Shared by both animals: a lit, textured triangle mesh in a display list (section 7).
 
 The mesh is read from a file, centred, and scaled to the size it has on the island. Its vertex
 arrays are sent once, into a display list; each frame moves to its place and calls the list.

@@ -1,4 +1,4 @@
-"""What a scene is built of: elements, the slots that they fill, and the owner of what was built.
+"""The parts of a scene: elements, the slots that they fill, and the owner of what was built.
 
 An :class:`Element` draws one thing by one technique. A :class:`Slot` is the place in a scene that
 one of several classes fills, the finest first: each says itself whether the settings ask for it.
@@ -21,7 +21,7 @@ Kind = TypeVar("Kind")
 
 @dataclass(frozen=True)
 class Site(Generic[Values]):
-    """What elements are built from: settings, files and seed, and the elements built before them.
+    """The material of an element: settings, files and seed, and the elements built before it.
 
     ``only`` names the elements that may be shown.
     """

@@ -1,7 +1,7 @@
-"""What the current OpenGL can do of the island's techniques: the others are off, with one line.
+"""Switches off the island's techniques that the current OpenGL cannot do, with one line for each.
 
-What each needs is in framelens/gl/features.py. Here the settings are changed accordingly, so that
-all other code only asks the settings.
+Their requirements are in framelens/gl/features.py. Here the settings are changed accordingly, so
+that all other code only asks the settings.
 """
 
 from landscape.elements.settings import Settings

@@ -28,7 +28,7 @@ PATTERN = (np.block([[4 * _FOUR + each for each in row] for row in _TWO]) + 0.5)
 
 
 class Writable(Protocol):
-    """What the file is written to."""
+    """The file that is written to."""
 
     def write(self, data: bytes) -> object:
         """Write some bytes."""

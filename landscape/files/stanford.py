@@ -169,7 +169,7 @@ def download(scan: Scan, url: str, quiet: bool = False) -> bytes:
 
 
 class _Body:
-    """What the server sends, as tarfile reads it: shows progress and detects a cut-off end."""
+    """The server's answer as a file for tarfile: shows progress and detects a cut-off end."""
 
     def __init__(
         self,

@@ -51,7 +51,7 @@ PATH_DATA = re.compile(r"[\s,MmZzLlHhVvCcSsQqTtAaEe0-9.+-]*")
 
 @dataclass(frozen=True)
 class SvgEnvironment:
-    """What an environment file holds. Places are in pixels from the image's top left corner."""
+    """The contents of an environment file. Places are in pixels from the image's top left."""
 
     name: str
     image: np.ndarray  # float32 (h, w) in 0..255: the red channel, on white
@@ -97,7 +97,7 @@ class Found:
 
 def read(path: Path) -> SvgEnvironment:
     """Read an environment file; InputError, one line, where something is missing or wrong."""
-    # What overflows is found by its result.
+    # An overflow is found by its result.
     with np.errstate(all="ignore"):
         return _read(path)
 

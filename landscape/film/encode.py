@@ -41,7 +41,7 @@ BT709 = 1  # as in ITU-T H.273: primaries, transfer and matrix of high-definitio
 
 @dataclass(frozen=True)
 class Format:
-    """What the file of a film is: the ending of its name, size in pixels, frames per second.
+    """A film's file format: the ending of its name, size in pixels, frames per second.
 
     A GIF has a ``palette``, too: RGB, a byte each.
     """

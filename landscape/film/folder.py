@@ -36,7 +36,7 @@ RECENT = 12  # chosen: parts by whose times the rest of the work is estimated
 
 @dataclass(frozen=True)
 class Plan:
-    """What a folder knows of its film: all that joining needs, and who draws it."""
+    """A folder's record of its film: all that joining needs, and who draws it."""
 
     frames: int
     length: int

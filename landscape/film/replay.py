@@ -1,6 +1,6 @@
 """A clip of a recorded walk: the same walk as in the window, without the window.
 
-What the walker did is carried out frame by frame of the recording, whether it is drawn or not, so
+The walker's intents are carried out frame by frame of the recording, drawn or not, so
 each process that draws the film walks the whole walk; that takes a small part of the time of
 drawing it. Between two frames of the recording the eye is interpolated: a film may have more frames
 per second than the walk had, or fewer. Messages, keys and lists are of the window, and not shown.
@@ -51,7 +51,7 @@ class Recorded:
 
 @dataclass(frozen=True)
 class State:
-    """What a frame of the walk shows, apart from the scene's own state."""
+    """The state of the walk that a frame shows, apart from the scene's own state."""
 
     walker: Walker
     kt: float

@@ -30,7 +30,7 @@ FPS_DENOMINATOR = 1001  # of 24000/1001 and such
 
 @dataclass(frozen=True)
 class Wanted:
-    """What the user asks for besides the sources; see `landscape film --help`."""
+    """The user's wishes besides the sources; see `landscape film --help`."""
 
     drawing: Drawing
     fps: float = 30.0

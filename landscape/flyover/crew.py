@@ -43,7 +43,7 @@ def processes(asked: int | None = None) -> int:
 
 @dataclass(frozen=True)
 class Task:
-    """What a process is to draw; settings are None where they are those of the task before."""
+    """A process's task: a picture to draw; settings are None where they stay as before."""
 
     camera: Camera
     settings: Settings | None
@@ -277,7 +277,7 @@ class _Worker:
 
 @dataclass(frozen=True)
 class _Given:
-    """What a process is started with."""
+    """The arguments that a process is started with."""
 
     pipe: "Pipe[Any, Any]"
     bell: Bell

@@ -143,7 +143,7 @@ def height_field(
     """Return the terrain of a height image (h, w) of values from 0 (black) to 255 (white).
 
     Its sides are powers of two from 2 to 4096; with ``flyover.resolution`` the image is sampled
-    again, and may have any. What takes time is cached. InputError begins with ``name``.
+    again, and may have any. Slow results are cached. InputError begins with ``name``.
     """
     settings = settings or Flyover()
     unit = settings.unit

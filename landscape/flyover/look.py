@@ -1,4 +1,4 @@
-"""What a terrain looks like in filled mode: all that is made once for it, and kept on disk."""
+"""A terrain's look in filled mode: the data that is made once for it and kept on disk."""
 
 import math
 import weakref

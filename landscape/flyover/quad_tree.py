@@ -52,7 +52,7 @@ def children(tiles: Tiles) -> Tiles:
 
 @dataclass(frozen=True)
 class View:
-    """What the choice of tiles depends on: the terrain and its boxes, the camera, the volume.
+    """The input for the choice of tiles: the terrain and its boxes, the camera, the volume.
 
     ``beside`` are more planes that bound what is seen, see :func:`.clipping.codes`.
     """

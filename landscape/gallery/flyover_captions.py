@@ -1,4 +1,4 @@
-"""What the page of the software fly-over says: its introduction, its pictures and its pairs."""
+"""The texts of the fly-over's page: its introduction, its pictures and its pairs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What a scene's page of the gallery says: its introduction, and two texts for each picture."""
+"""The texts of each scene's page of the gallery: an introduction, two texts a picture."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What the gallery says about each named view of the report's figures.
+"""The gallery's captions for the named views of the report's figures.
 
 A caption says first what to see, then the technique. Names of panels and fixes in it, such as
 fig17b or R4, become links.

@@ -1,4 +1,4 @@
-"""What the camera can see: spheres and boxes against the planes of the view frustum. No OpenGL."""
+"""View frustum culling: spheres and boxes against the frustum's planes. No OpenGL."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""What a walker cannot pass: towers and walls, seen from above. No OpenGL."""
+"""Obstacles that a walker cannot pass: towers and walls, seen from above. No OpenGL."""
 
 import math
 from dataclasses import dataclass

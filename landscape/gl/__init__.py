@@ -1,1 +1,1 @@
-"""What drawing adds to framelens.gl: display lists, meshes, cube maps, textures to draw into."""
+"""OpenGL objects for drawing: display lists, meshes, cube maps, textures to draw into."""

@@ -1,4 +1,4 @@
-"""What the elements and effects need of OpenGL, by the settings that ask for them.
+"""The OpenGL features that elements and effects require, by the settings that ask for them.
 
 ``landscape doctor`` lists what is not possible. See :mod:`framelens.gl.features`.
 """

@@ -1,4 +1,4 @@
-"""What the great hall sounds like: a stone room that rings, torches, drops in the pool."""
+"""The sound of the great hall: a stone room that rings, torches, drops in the pool."""
 
 import numpy as np
 

@@ -23,7 +23,7 @@ COLOURS = "RED", "GREEN", "BLUE"
 
 
 class Change(NamedTuple):
-    """What each colour of a texture is multiplied by, and what is then added, in -1..1."""
+    """The factor for each colour of a texture, and the offset that is then added, in -1..1."""
 
     scale: float = 1.0
     bias: float = 0.0

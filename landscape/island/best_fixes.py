@@ -1,4 +1,4 @@
-"""What goes beyond the report, as pairs of pictures, before and after."""
+"""Techniques beyond the report, as pairs of pictures, before and after."""
 
 from landscape.frame import Pose
 from landscape.island.fix import Fix

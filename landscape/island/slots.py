@@ -41,7 +41,7 @@ PLANTED = Slot("sprites", (RefinedSprites, TransparentElements), shown_by=SPRITE
 GRASS = Slot("grass", (Meadow, Grass))
 SWORD = Slot("sword", (SteelBlade, ShiningSword, Sword))
 
-# What casts shadows is built before the ground is lit, which darkens the grass as well.
+# Elements that cast shadows are built before the ground is lit, which darkens the grass as well.
 CASTING = (
     GROUND,
     Slot("stones", (Stones,), shown_by=("ground",)),

@@ -1,4 +1,4 @@
-"""What the island sounds like: its shore, wind, the torches at the gate, the ground underfoot."""
+"""The sound of the island: its shore, wind, the torches at the gate, the ground underfoot."""
 
 import math
 from functools import partial

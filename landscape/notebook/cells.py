@@ -1,4 +1,4 @@
-"""What a notebook calls: a view or a program to look into, a lesson, a check of an exercise.
+"""Functions for notebooks: show a view or a program's frame, a lesson, the check of an exercise.
 
 Each draws in a process of its own, so that nothing can end the notebook's kernel, and returns an
 object that the notebook shows: with its picture as PNG, which stays in the file.

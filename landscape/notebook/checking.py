@@ -33,7 +33,7 @@ COLORS = {True: "#1a7f37", False: "#c0392b", None: "inherit"}
 
 @dataclass(frozen=True)
 class Check:
-    """What a check has found: as of `landscape exercise check --json`, and how a notebook shows it.
+    """A check's result, as of `landscape exercise check --json`, and its form in a notebook.
 
     ``error`` says why a program could not be graded, "" if it was. ``png`` has three pictures: the
     program's, where it differs, and the solution's.

@@ -1,4 +1,4 @@
-"""What a scene is, how its frames begin, and the one list of scenes.
+"""The type of a scene, the start of each of its frames, and the list of all scenes.
 
 A scene is a module with a :class:`SceneOf` named ``SCENE``: the names of its elements, its views,
 its settings and presets, and a function that opens it in the current OpenGL context. Walking,
@@ -71,7 +71,7 @@ Values = TypeVar("Values", bound=SceneSettings)  # a scene's own settings
 
 @dataclass(frozen=True)
 class Moment:
-    """What a frame shows: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4).
+    """A frame's moment: pose, size in pixels, kt, the walker's step and sword stroke (0 to 4).
 
     The pose's ``y`` must be a number. ``detail`` says how finely to draw it. ``walking`` says that
     it is the next frame of a walk: what is costly may then be spread over several. Of a ``tile``
@@ -90,7 +90,7 @@ class Moment:
 
 
 class Terrain(Protocol):
-    """What a walker stands on: a square of ``size`` units from (0, 0) to (size, size)."""
+    """The land that a walker stands on: a square of ``size`` units from (0, 0) to (size, size)."""
 
     @property
     def size(self) -> float:
@@ -125,7 +125,7 @@ class Fix(Protocol):
 
     @property
     def title(self) -> str:
-        """What it fixes, in a few words."""
+        """The flaw that it fixes, in a few words."""
 
     @property
     def off(self) -> Mapping[str, Value]:
@@ -150,7 +150,7 @@ class OpenSceneOf(Terrain, Protocol[Values]):
 
     @property
     def obstacles(self) -> Obstacles:
-        """What the walker goes around: a plain sequence, or a grid if there are many."""
+        """Obstacles in the walker's way: a plain sequence, or a grid if there are many."""
 
     def draw(self, moment: Moment) -> None:
         """Draw one frame into the current framebuffer."""
@@ -192,7 +192,7 @@ class View:
 
 @dataclass(frozen=True)
 class SceneOf(Generic[Values]):
-    """What a scene with settings of a class brings; nothing of it needs OpenGL until it is opened.
+    """A scene whose settings are of a class; nothing of it needs OpenGL until it is opened.
 
     ``settings`` is an instance of the scene's settings class with the defaults (see
     :mod:`landscape.settings.declare`); it must have the groups ``camera``, ``clock``, ``walk`` and

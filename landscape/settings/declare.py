@@ -57,7 +57,7 @@ class Setting:
 
 @dataclasses.dataclass(frozen=True)
 class Renamed:
-    """What became of a key that files may still have: its new name, or "" if it is gone.
+    """The fate of an old key that files may still have: its new name, or "" if it is gone.
 
     With ``negated`` the sign of the value changed too.
     """
@@ -136,7 +136,7 @@ def next_value(settings: object, key: str) -> Value:
 
 @dataclasses.dataclass(frozen=True)
 class Toggle:
-    """What a digit or letter changes in a walk, and its name.
+    """The setting that a digit or letter changes in a walk, and its name.
 
     That is a bool, a setting with choices, or another; for that ``values`` are those that it takes
     in turn.

@@ -27,7 +27,7 @@ LIGHTER = 0.75  # chosen: how loud every other thing is, in relation: nothing so
 
 @dataclass(frozen=True)
 class Heard:
-    """What there is to hear at a moment: where, by which ear, and what the walker has done.
+    """The audible world at a moment: the listener's place and ears, and the walker's deeds.
 
     ``step`` and ``stroke`` are the walker's; ``dug`` and ``placed`` count blocks. ``volume`` is 0
     for silence, 1 for normal.

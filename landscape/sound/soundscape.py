@@ -1,4 +1,4 @@
-"""What there is to hear at a place: shores, fires, wind, the ground underfoot, a room.
+"""The sources of sound around a place: shores, fires, wind, the ground underfoot, a room.
 
 A scene makes a :class:`Soundscape` of its settings and its terrain (``SceneOf.sounds``), and from
 then on what is heard depends on the ear and on kt alone. It is a table of amplitudes: a row for
@@ -67,7 +67,7 @@ class Source:
 
 @dataclass(frozen=True, eq=False)
 class Soundscape:
-    """What there is to hear in a scene; compared by identity.
+    """The sources of sound in a scene; compared by identity.
 
     ``fires`` (n, 3) are x, y, z of flames in units; ``windy`` is the wind's strength, 0 for none,
     and ``gusts`` the setting of that name. ``ground`` returns which of steps.GROUNDS is under the

@@ -1,4 +1,4 @@
-"""What a walker does, as short sounds: a step, a stroke of the sword, a block dug or placed.
+"""The walker's short sounds: a step, a stroke of the sword, a block dug or placed.
 
 A step is no sample but a crowd of grains: P. Cook (Modeling Bill's Gait, 2002, by the statistics of
 his PhISEM, 1997) made the sound of walking from many small collisions at random times, whose

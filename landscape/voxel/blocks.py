@@ -98,8 +98,8 @@ BLOCKS = (
 )
 NUMBERS = {block.name: number for number, block in enumerate(BLOCKS)}
 SOLID = np.array([number > 0 and not block.plant for number, block in enumerate(BLOCKS)])
-# What a face may be seen through: 2 for nothing, 1 for leaves, 0 for air and plants. A block shows
-# its face to a neighbour that is less dense.
+# Density to the eye: 0 for air and plants, 1 for leaves, 2 for opaque blocks. A block shows its
+# face to a neighbour that is less dense.
 LEAFY = np.array([block.top in HOLED for block in BLOCKS])
 DENSITY = np.where(SOLID, np.where(LEAFY, 1, 2), 0).astype(np.uint8)
 

@@ -37,7 +37,7 @@ GAP = 1e-4  # blocks left between a body and what stops it
 
 @dataclass(frozen=True)
 class Place:
-    """What a body moves in: blocks [x, z, y], and the levels of the water and of the border.
+    """The surroundings of a body: blocks [x, z, y], and the levels of water and border.
 
     ``water`` is the height of the water's surface in blocks, or minus infinity. ``margin`` is how
     far the middle of a body stays away from the border of the map. Nobody sinks below ``floor``.

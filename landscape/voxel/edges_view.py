@@ -3,7 +3,7 @@
 Technique: the same faces once more with glPolygonMode as lines, a little nearer to the eye by
 glPolygonOffset. Their vertex colours do not matter, since GL_ZERO, GL_ZERO blends all to black.
 State used: GL_BLEND, GL_POLYGON_OFFSET_LINE, the polygon mode; fog off.
-What it shows: switches ``voxel.merge``, ``voxel.occlusion`` (which keeps quads apart).
+Switches to see in it: ``voxel.merge``, ``voxel.occlusion`` (which keeps quads apart).
 """
 
 from framelens.gl.seam import gl

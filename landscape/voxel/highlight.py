@@ -1,4 +1,4 @@
-"""What a walker aims at: the edges of the block under the cross-hair, and the cross-hair itself.
+"""The walker's aim: the edges of the block under the cross-hair, and the cross-hair itself.
 
 Technique: the block's faces are drawn again with glPolygonMode as lines. These would lie exactly in
 the faces, where rounding decides which of the two is nearer; glPolygonOffset moves them a little

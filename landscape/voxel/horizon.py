@@ -1,4 +1,4 @@
-"""What hills hide: how high a region's faces must reach to be seen over the ground before them.
+"""Occlusion by hills: how high a region's faces must reach to be seen over the ground before them.
 
 Technique: from where the eye is, the ground is looked up along lines in all directions. In each
 direction the steepest line of sight that the ground has blocked so far, the horizon, only rises

@@ -1,4 +1,4 @@
-"""What one finds on the island: castle, rabbit and sea dragon, woods and meadows.
+"""Places on the island: castle, rabbit and sea dragon, woods and meadows.
 
 Where each stands is found in the heights, so that any height image has them. No OpenGL.
 """

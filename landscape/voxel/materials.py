@@ -1,4 +1,4 @@
-"""What the ground is made of: sorted by height, then by slope (TP2, part 3).
+"""Materials of the ground: chosen by height, then by slope (TP2, part 3).
 
 The document sorts the columns of each region by height into materials, and those of one material
 by slope: where it is too steep for grass there is earth. Here the same choice is made for all

@@ -93,7 +93,7 @@ class RegionMesh:
 
 @dataclass(frozen=True)
 class Look:
-    """What colours depend on.
+    """The light and the switches that colours depend on.
 
     ``light`` (6, 4) is the colour of the light on faces in each of DIRECTIONS, with the alpha that
     shadows need, and ``tint`` (n + 1, n + 1), float32, a noise of -1..1 over the corners of the

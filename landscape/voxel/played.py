@@ -1,4 +1,4 @@
-"""What a walker can do in the island in voxels: move among its blocks, dig and build."""
+"""The walker's actions in the island in voxels: move among its blocks, dig and build."""
 
 import math
 from collections.abc import Callable, Hashable

@@ -304,7 +304,7 @@ class RegionBuffer:
         first = self.at[:, turns, part[0]][shares]
         if last is None:
             return first, self.at[:, turns, part[1] + 1][shares] - first
-        # What hides dry land hides all that is under water.
+        # A hill that hides dry land hides everything under water, too.
         first = np.where((last < part[1])[:, None], self.at[:, turns, SHORE][shares], first)
         each = np.arange(len(TURNS))[turns]
         return first, self.at[shares[:, None], each, (last + 1)[:, None]] - first

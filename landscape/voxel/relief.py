@@ -1,4 +1,4 @@
-"""What the height image lacks: unevenness where the land is gentle, ledges where it is steep.
+"""Detail that the height image lacks: unevenness where the land is gentle, ledges where steep.
 
 The image is so smooth that the steps between levels would be contour lines, and steep rock a
 regular staircase. Ledges as of layers of rock, hard and soft in turn, make cliffs of it, with

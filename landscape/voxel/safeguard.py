@@ -1,4 +1,4 @@
-"""What a safeguard of the voxel island is: one that knows the island's views."""
+"""A safeguard of the voxel island: one that knows the island's views."""
 
 from dataclasses import dataclass
 

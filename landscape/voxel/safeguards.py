@@ -1,4 +1,4 @@
-"""What each pass and each technique adds, as pairs of pictures: without it, and with it.
+"""The gain of each pass and technique, as pairs of pictures: without it, and with it.
 
 Their names are views (`landscape render voxel_clip`), and keys switch them in the walk. First the
 land, then the shadows, then the water.

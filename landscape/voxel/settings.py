@@ -223,14 +223,14 @@ class Water:
 
 @dataclass(frozen=True)
 class Overlay:
-    """What a walker has before the eyes."""
+    """The overlay before the walker's eyes."""
 
     map: bool = setting(True, "section 9", "show the map", needs=("map",))
 
 
 @dataclass(frozen=True)
 class Debug:
-    """What one may look at while walking, besides the picture."""
+    """Diagnostic pictures to show while walking, beside or in place of the usual one."""
 
     NEEDS: ClassVar[tuple[str, ...]] = LAND
 

@@ -1,4 +1,4 @@
-"""What the island in cubes sounds like: its shore, wind, and the blocks that are walked on."""
+"""The sound of the island in cubes: its shore, wind, and the blocks that are walked on."""
 
 from functools import partial
 from typing import Any

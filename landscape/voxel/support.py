@@ -1,6 +1,6 @@
-"""What the current OpenGL can do of the voxel island's passes: the others are off, with one line.
+"""Switches off the voxel island's passes that the current OpenGL cannot do, with a line for each.
 
-What each pass needs is in framelens/gl/features.py. Here the settings are changed accordingly, so
+Their requirements are in framelens/gl/features.py. Here the settings are changed accordingly, so
 that all other code only asks the settings.
 """
 

@@ -1,4 +1,4 @@
-"""What an eye under water sees: the bed as far as the water lets it, and the surface from beneath.
+"""The view under water: the bed as far as the water lets it be seen, and the surface from beneath.
 
 Technique: the water is linear fog, whose end bounds what is seen, so that no land beyond is sent.
 The surface is the same plane as from above, with the same two pictures (water_images.py) in other

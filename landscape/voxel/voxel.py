@@ -56,7 +56,7 @@ SKY_BEHIND, SEA_BEHIND = 4.0, 10.0
 
 
 class Ground:
-    """What a walker stands on; needs no OpenGL."""
+    """The land that a walker stands on; needs no OpenGL."""
 
     def __init__(self, settings: Settings, assets: Assets) -> None:
         """Read the heights; InputError for an image that cannot be used."""

@@ -1,4 +1,4 @@
-"""What the water shows: the land mirrored in it, and what lies under it, each in a texture.
+"""The images in the water: the land mirrored in it, and the bed below it, each in a texture.
 
 Reflection: the land drawn from the camera mirrored at the water's plane, with the winding swapped;
 a clip plane keeps what is above the water (the document has no need of one, since it draws by

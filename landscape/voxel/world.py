@@ -41,7 +41,7 @@ class World:
     region_size: int
     sea: int
     block: float
-    # What changed blocks were before, by their places in the flat array.
+    # The former kinds of changed blocks, by their places in the flat array.
     former: dict[int, int] = field(default_factory=dict)
 
     @property

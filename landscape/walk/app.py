@@ -644,7 +644,7 @@ class Walk:
 
     @property
     def moment(self) -> Moment:
-        """What the next frame shows, with all its detail."""
+        """The moment of the next frame, with all its detail."""
         steps = self.walker.step, self.walker.stroke
         return Moment(self.walker.pose, self._size, self.kt, *steps, self._wireframe, walking=True)
 

@@ -107,7 +107,7 @@ class WorldFile:
 
 
 class Builder:
-    """What a walker does with blocks, in scenes that have any."""
+    """The walker's work with blocks, in scenes that have any."""
 
     def __init__(self, file: WorldFile | None, language: str) -> None:
         """``file`` is where changes are kept, if anywhere."""

@@ -80,7 +80,7 @@ SETTINGS = {b.action: b.setting for b in BINDINGS if b.setting}
 DIGITS = {key + n: str(n) for key in (glfw.KEY_0, glfw.KEY_KP_0) for n in range(1, 10)}
 WITH_SHIFT = {"next_fix": "previous_fix"}  # what a switch does while Shift is held
 
-# What keys do while the list of settings is open; those in REPEATED do it again while held.
+# Keys while the list of settings is open; those in REPEATED repeat while held.
 PICKS = {
     glfw.KEY_UP: "up",
     glfw.KEY_DOWN: "down",

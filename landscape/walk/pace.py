@@ -5,7 +5,7 @@ frames take decides. Down it goes at once, by as many levels as the time asks fo
 finer level would leave time to spare, and only after a wait, which doubles when a rise turned out
 to be a mistake. So the picture neither pumps nor flickers, and a fast OpenGL stays at level 0.
 
-What a level costs is not the same everywhere: a part of each frame takes the same time however few
+The cost of a level is not the same everywhere: a part of each frame takes the same time however few
 pixels and blades are drawn. How large that part is here, each change of the level tells.
 
 The pixels become fewer, as a picture that is stretched a little differs least from a still. Blades
@@ -195,7 +195,7 @@ class Ladder:
         found = self._fitting(coarser, full, AIM)
         if found is not None and not self._levels[found].resort:
             return found
-        # What the last good level costs here is not known before it was tried.
+        # The cost of the last good level here is unknown until it has been tried.
         tried = self.level >= self._last_good
         if not tried or (self.level == self._last_good and self._bearable(full, 1.0)):
             return self._last_good

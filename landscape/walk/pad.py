@@ -24,7 +24,7 @@ PRESSED = 0.5  # chosen: how far a trigger is pressed, of 1, when it counts as a
 
 # The triggers count as buttons of these numbers; GLFW's own are smaller.
 LEFT_TRIGGER, RIGHT_TRIGGER = 100, 101
-# What a button does while the walker walks: an order, a switch or a part of the intent.
+# A button's action during the walk: an order, a switch or a part of the intent.
 BUTTONS = {
     glfw.GAMEPAD_BUTTON_X: "strike",
     glfw.GAMEPAD_BUTTON_Y: "fly",

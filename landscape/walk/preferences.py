@@ -1,4 +1,4 @@
-"""What a user wants in every walk: keys, mouse, comfort, language; kept in one commented TOML file.
+"""A user's preferences for every walk: keys, mouse, comfort, language; in one commented TOML file.
 
 The file is ``preferences.toml`` in the system's folder for settings, or in the folder that the
 environment variable LANDSCAPE_CONFIG names; if it is empty, nothing is kept. A replay takes its
@@ -32,7 +32,7 @@ STILL: Mapping[str, declare.Value] = {"walk.bob": 0.0, "plants.sway": 0.0}
 
 @dataclass(frozen=True)
 class Preferences:
-    """What the file holds; each value's default is what the program does without a file."""
+    """The file's contents; each value's default is the program's behaviour without a file."""
 
     mouse_speed: float = 1.0
     invert: bool = False

@@ -55,7 +55,7 @@ FORMER = {"next_cure": "next_fix", "cure": "fix"}  # names in older recordings
 
 @dataclass(frozen=True)
 class Plan:
-    """What a walk starts from; ``pose.y`` may be None: eye height above the ground.
+    """The start of a walk; ``pose.y`` may be None: eye height above the ground.
 
     ``only`` names the elements; empty means all. ``preset`` is what the list of settings goes back
     to; empty means the scene's own. ``given`` are the settings that the user has set: they go with

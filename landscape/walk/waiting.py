@@ -1,4 +1,4 @@
-"""What the window shows while a scene is built: a picture, and how far it is."""
+"""The window while a scene is built: a picture, and the progress."""
 
 import numpy as np
 

@@ -38,7 +38,7 @@ MAX_PITCH = 89.0  # degrees; at 90 "forward" would have no direction on the map
 
 @dataclass(frozen=True)
 class Intent:
-    """What the user asks for in one frame.
+    """The user's intent for one frame.
 
     ``forward``, ``right``, ``up`` and ``turn`` (to the right) are -1 to 1; ``look`` is how far the
     mouse moved, in pixels right and down. ``strike`` and ``fly`` are events: a stroke of the sword

@@ -107,13 +107,13 @@ class Numbers:
 
     @cached_property
     def kinds(self) -> np.ndarray:
-        """What each call gives, (n,): an index of KINDS."""
+        """The kind of value that each call sets, (n,): an index of KINDS."""
         kinds = {name: kind for kind, name in enumerate(KINDS)}
         return np.array([kinds.get(base(name), -1) for name, *_ in self.sites], int)[self.of]
 
     @cached_property
     def vectors(self) -> np.ndarray:
-        """What the calls give, (n, 4), filled up with 0, 0, 0, 1 as OpenGL does."""
+        """The arguments of the calls, (n, 4), filled up with 0, 0, 0, 1 as OpenGL does."""
         found = np.tile([0.0, 0.0, 0.0, 1.0], (len(self.of), 1))
         for number, (name, _, _, count) in enumerate(self.sites):
             rows = np.flatnonzero(self.of == number)

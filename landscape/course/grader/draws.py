@@ -1,4 +1,4 @@
-"""What a frame draws: its draws with their vertices, as the tests of an exercise see them."""
+"""The draws of a frame with their vertices, as the tests of an exercise see them."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,7 +14,7 @@ from landscape.course.grader.calls import NONE, Call, Item, Numbers, whole
 
 @dataclass(frozen=True, eq=False)
 class Draw:
-    """What one glBegin, glDrawArrays or glDrawElements (also glDrawElementsui) draws, n vertices.
+    """The n vertices of one glBegin, glDrawArrays or glDrawElements (also glDrawElementsui).
 
     ``vertices``: object coordinates (n, 4); ``normals`` (n, 3), ``colors`` (n, 4) and ``texture``
     coordinates (n, 4) of each vertex. ``modelview`` and ``projection`` are (4, 4).

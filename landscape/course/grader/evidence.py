@@ -1,4 +1,4 @@
-"""What a program has drawn, as the tests of an exercise see it: pictures, calls, draws.
+"""The evidence of a run, as the tests of an exercise see it: pictures, calls, draws.
 
     frame = work.frame(0)
     frame.picture                      uint8 (h, w, 3), top row first

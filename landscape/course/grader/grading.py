@@ -145,7 +145,7 @@ class Test:
 
 @dataclass(frozen=True)
 class Result:
-    """What a test has found; ``passed`` is None where it was not made.
+    """The result of a test; ``passed`` is None where it did not run.
 
     ``otherwise``: the program does something else than the test looks for, and its picture is right
     all the same.
@@ -232,7 +232,7 @@ UNFOLLOWED = _(
     "The program sets OpenGL's state inside display lists. What is set there cannot be followed, "
     "so this cannot be checked; and the picture is not as it should be."
 )
-# What may be in a display list without changing the state that a test looks at.
+# Groups of calls that a display list may hold without changing the state that a test looks at.
 FOLLOWED = ("vertex", "begin_end", "matrix", "draw", "list")
 
 

@@ -23,7 +23,7 @@ MOST_BYTES = 1 << 20  # chosen: of a file
 
 @dataclass(frozen=True)
 class Grading:
-    """What a file says: the ``frames`` that are looked at, the ``events``, and the ``tests``."""
+    """The contents of a grading file: the ``frames`` that are checked, ``events`` and ``tests``."""
 
     frames: Sequence[int]
     events: Sequence[dict[str, Any]]

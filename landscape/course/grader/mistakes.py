@@ -1,4 +1,4 @@
-"""What the tests of several exercises share: mistakes known by what they draw, and full stacks.
+"""Tests shared by several exercises: mistakes recognized by their pictures, and full stacks.
 
 A test that compares what a program draws with what a mistake would draw cannot name a symptom that
 the picture does not have. Such a mistake is a pair: a function that returns what it draws in a

@@ -45,7 +45,7 @@ Call = tuple[str, tuple[Any, ...]]
 
 @dataclass(frozen=True)
 class Take:
-    """What a solution did in a run: the size of its window at first, and each frame's calls.
+    """A solution's run: the initial size of its window, and each frame's calls.
 
     ``trial`` is empty of presses in the first take, which is no trial.
     """

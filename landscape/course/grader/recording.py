@@ -34,7 +34,7 @@ from landscape.course.shelf import NAMES, Exercise, exercise
 from landscape.course.solutions import found
 
 TRIALS = 8  # chosen: a student's grader takes one of them by chance
-# What draws inside glBegin and glEnd, which are left out together.
+# Calls that draw inside glBegin and glEnd, which are left out together.
 INSIDE = ("glEnd", "glVertex", "glArrayElement", "glEvalCoord", "glEvalPoint")
 
 

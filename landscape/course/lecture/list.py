@@ -32,7 +32,7 @@ class StepList:
 
     @property
     def foot(self) -> str:
-        """What stands below the list: what was typed, and the keys."""
+        """The line below the list: the number typed so far, and the keys."""
         return f"{self._typed}  {texts.word('list')}".strip()
 
     def image(self, size: tuple[int, int], now: int) -> np.ndarray:

@@ -29,7 +29,7 @@ WHEEL = 3  # chosen: lines of code that a notch of the wheel goes
 
 
 class Player(Protocol):
-    """What plays a step. Places are in coordinates of the area, from its top left."""
+    """A player of a step. Places are in coordinates of the area, from its top left."""
 
     def key(self, key: int, action: int, mods: int) -> None:
         """Take a key."""

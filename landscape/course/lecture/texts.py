@@ -1,4 +1,4 @@
-"""What a lecture says of its steps, in the user's language: on the screen and to the speaker."""
+"""A lecture's texts about its steps, in the user's language: on screen and for the speaker."""
 
 import os
 import re

@@ -1,1 +1,1 @@
-"""What the preset `best` adds to the elements of 2006: a folder for each of them."""
+"""Additions of the preset `best` to the elements of 2006: a folder for each of them."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from landscape.elements.settings.units import REPEATS, UNITS
 from landscape.settings.declare import setting
 
-# What reads the colours of the ground's large texture, apart from the ground itself.
+# Readers of the colours of the ground's large texture, apart from the ground itself.
 COLOURS_READ = "grass.tinted or trees.grouped or plants.species>1"
 
 

@@ -6,7 +6,7 @@ from typing import ClassVar
 from landscape.elements.settings.units import DEGREES
 from landscape.settings.declare import setting
 
-# What depends on where the sun is.
+# Elements and settings that depend on the sun's position.
 SUNLIT = (
     "water or castle or rabbit or dragon or ground.lit or ground.shadows"
     " or ground.height_image!=height.png or sun.relit",

@@ -9,7 +9,7 @@ from landscape.settings.declare import setting
 
 @dataclass(frozen=True)
 class Transparent:
-    """What trees, deer and plants share (section 5.1)."""
+    """Settings shared by trees, deer and plants (section 5.1)."""
 
     NEEDS: ClassVar[tuple[str, ...]] = ("trees or deer or plants",)
 

@@ -47,7 +47,7 @@ def rows(values: Settings) -> dict[str, Settings]:
     for name, switches in TECHNIQUES.items():
         found[f"only {name}"] = with_only(*switches)
     for name, (switch, *_) in TECHNIQUES.items():
-        # What needs the technique goes with it.
+        # Techniques that need this one go with it.
         rest = [switches for switches in TECHNIQUES.values() if switch not in switches]
         found[f"all but {name}"] = with_only(*(each for switches in rest for each in switches))
     found["all"] = with_only(*SWITCHES)

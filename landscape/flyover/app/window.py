@@ -28,7 +28,7 @@ from landscape.walk.preferences import Preferences
 from landscape.walk.screen import FullScreen, hide_cursor, save_screenshot
 
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
-# What each digit switches: the techniques of the lines, and of the filled ground.
+# The technique that each digit switches: of the lines, and of the filled ground.
 LINES = {
     "1": "flyover.strips",
     "2": "flyover.back_faces",

@@ -203,7 +203,7 @@ def deepen(traced: Traced) -> None:
     tone = (1.0 - 0.62 * saddle) * (1.0 + 0.35 * flank) * (1.0 - 0.50 * legs)
     traced.albedo *= np.where(furry, tone, 1.0)[..., None] * np.array([1.06, 1.0, 0.92])
     traced.sky = traced.sky**1.7
-    # What faces the ground has less of the sky than the open lawn below it would give.
+    # Skin that faces the ground gets less of the sky than the open lawn below it would give.
     traced.sky *= 1.0 - 0.5 * smoothstep(0.0, 0.8, -up)
 
 

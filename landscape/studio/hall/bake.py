@@ -99,7 +99,7 @@ def baked() -> np.ndarray:
     """Return direct and reflected light, float32 (2, h, w, 4, 3), on the canvas."""
     place, normal, at = texels()
     corners, uv, colour = triangles()
-    # What blocks light but has no light map. The statue's shadows on floor and north wall are drawn
+    # Blockers of light without a light map. The statue's shadows on floor and north wall are drawn
     # live, so that only the other surfaces, the plinth above all, get their direct light past it.
     outside, bronze = masonry(), statue()
     plain, _ = as_scene(np.concatenate([corners, outside]))

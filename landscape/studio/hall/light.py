@@ -163,7 +163,7 @@ def masonry() -> np.ndarray:
 def triangles() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return corners (n, 3, 3), their places on the canvas (n, 3, 2) and linear colours (n, 3).
 
-    What only closes a joint is left out: it is narrower than the distance of two texels.
+    Faces that only close a joint are left out: they are narrower than the distance of two texels.
     """
     corners = []
     where = []

@@ -1,1 +1,1 @@
-"""What the studio makes for the lessons."""
+"""Makers of the lessons' assets."""

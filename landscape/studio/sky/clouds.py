@@ -31,7 +31,7 @@ FAR = 27e3  # end of the march; beyond it the air hides the clouds
 
 
 class Body(NamedTuple):
-    """What a cumulus is like; lengths are in metres."""
+    """The shape of a cumulus; lengths are in metres."""
 
     depth: float  # from the base to the highest top
     curl_period: float  # of a second, finer lookup of the Worley displacement

@@ -267,7 +267,7 @@ def levelled(
 ) -> np.ndarray:
     """Return a picture (h, w, 3) with its widest variations reduced to the fraction ``kept``.
 
-    What has fewer than ``cut`` periods in a tile would show as a grid where the tile is repeated.
+    Variations of fewer than ``cut`` periods in a tile would show as a grid where it is repeated.
     The next wider variations, up to 10 periods, are multiplied by ``broad``: they are what is left
     of a tile from afar.
     """

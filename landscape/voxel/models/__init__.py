@@ -1,4 +1,4 @@
-"""What stands on the island of blocks, as arrays of block numbers: plain numpy, no OpenGL.
+"""Buildings, trees and animals as arrays of block numbers: plain numpy, no OpenGL.
 
 A model is a uint8 array indexed [x, z, y], as the world is; where it is 0, nothing is placed and
 the world keeps what it has. Its anchor is the middle of its base, (x // 2, z // 2) of its shape:

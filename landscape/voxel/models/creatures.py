@@ -155,7 +155,7 @@ def _voxels(
     votes = [np.bincount(flat, areas * weights * (elected == kind), count) for kind in kinds]
     chosen = kinds[np.argmax(votes, axis=0)].reshape(shape)
 
-    # What nobody sees inside is of the first kind.
+    # Blocks hidden inside are of the first kind.
     chosen[area == 0] = numbers[0]
     solid = (area >= ENOUGH) | (_enclosed(area > 0) & (area == 0))
     return np.where(solid, chosen, 0).astype(np.uint8)

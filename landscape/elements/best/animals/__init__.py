@@ -1,1 +1,1 @@
-"""What the preset `best` adds to the rabbit and the dragon."""
+"""Additions of the preset `best` to the rabbit and the dragon."""

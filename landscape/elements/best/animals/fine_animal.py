@@ -1,4 +1,4 @@
-"""What the rabbit and the dragon of the preset `best` share: levels of detail, colours, culling.
+"""Shared by the rabbit and the dragon of the preset `best`: levels of detail, colours, culling.
 
 A mesh of fewer triangles is drawn while its error is below ``camera.lod_pixels`` pixels
 (levels_of_detail.py), and none while the animal is out of view. A mesh file may contain a colour

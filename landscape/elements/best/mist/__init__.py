@@ -1,1 +1,1 @@
-"""What the preset `best` can add to the air: mist over the bay."""
+"""Additions of the preset `best` to the air: mist over the bay."""

@@ -1,1 +1,1 @@
-"""What the preset `best` adds to the sky: clouds that move."""
+"""Additions of the preset `best` to the sky: clouds that move."""

@@ -1,1 +1,1 @@
-"""What the preset `best` adds to what lies over the picture."""
+"""Additions of the preset `best` to the overlay."""

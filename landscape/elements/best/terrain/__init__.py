@@ -1,4 +1,4 @@
-"""What the preset `best` adds to the ground: see :class:`terrain.Terrain`."""
+"""Additions of the preset `best` to the ground: see :class:`terrain.Terrain`."""
 
 # Keys that ask for more than the ground of 2006.
 ASKED_BY = ("ground.materials", "ground.low_stretch", "ground.shadows", "ground.tiles")
