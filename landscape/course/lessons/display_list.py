@@ -1,7 +1,7 @@
 """Display lists: a flower compiled once, drawn hundreds of times
 
-glNewList records OpenGL calls, glCallList repeats them. Values that the program computed while it
-recorded are fixed: here the number of petals. State that the list does not set remains free: the
+glNewList records OpenGL calls, glCallList repeats them. What the program computed while it
+recorded is fixed: here the number of petals. What is state when the list is called is free: the
 matrix, and the colour of the petals, which the list leaves alone. A new number of petals is seen
 only after the list is compiled again.
 

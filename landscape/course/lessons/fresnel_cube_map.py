@@ -30,7 +30,7 @@ WATER = np.array((0.8, 0.93, 0.95))  # what a block's depth of water leaves of l
 DEEP = (0.05, 0.28, 0.36, 1)
 SKY = (0.62, 0.79, 0.92, 1)
 
-# The map that each texture unit holds.
+# What each texture unit holds.
 REFLECTION = GL_TEXTURE0
 REFRACTION = GL_TEXTURE1
 FRESNEL = GL_TEXTURE2

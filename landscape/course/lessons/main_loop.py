@@ -106,7 +106,7 @@ def main():
     if not glfw.init():
         sys.exit(_("GLFW cannot start: is there a screen?"))
 
-    # The framebuffer's requirements are set before the window is created.
+    # What the framebuffer must have is said before the window is made.
     glfw.window_hint(glfw.DOUBLEBUFFER, True)  # False: draw where it is seen, then glFlush
     glfw.window_hint(glfw.DEPTH_BITS, 24)  # a depth buffer, for GL_DEPTH_TEST
     window = glfw.create_window(*size, _("The main loop"), None, None)
