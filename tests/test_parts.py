@@ -120,9 +120,10 @@ def test_a_folder_says_what_is_there_and_who_works(tmp_path: Path) -> None:
 
 def test_a_damaged_part_or_plan_is_named(tmp_path: Path) -> None:
     parts = drawn(Failing(9.0), tmp_path).parts
-    parts.path(1).write_bytes(b"no film")
-    with pytest.raises(InputError, match=r"part-00001-.*: no part of a film"):
-        join(parts, tmp_path / "film.mp4")
+    for wrong in (b"no film", b"", parts.read(0)):
+        parts.path(2).write_bytes(wrong)
+        with pytest.raises(InputError, match=r"part-00002-.*: no part of a film with 2 frames"):
+            join(parts, tmp_path / "film.mp4")
     assert not (tmp_path / "film.mp4").exists()
     plan = next(tmp_path.glob("film-*.json"))
     good = json.loads(plan.read_text())
@@ -130,6 +131,15 @@ def test_a_damaged_part_or_plan_is_named(tmp_path: Path) -> None:
         plan.write_text(json.dumps(wrong))
         with pytest.raises(InputError, match="expected a film's plan"):
             opened(plan, "--join")
+
+
+def test_a_part_of_a_gif_that_is_cut_off_is_named(tmp_path: Path) -> None:
+    parts = drawn(Failing(9.0), tmp_path, ending=".gif").parts
+    whole = parts.read(0)
+    for end in (0, 5, len(whole) // 2, len(whole) - 1):
+        parts.path(0).write_bytes(whole[:end])
+        with pytest.raises(InputError, match=r"part-00000-.*: no part of a film with 8 frames"):
+            join(parts, tmp_path / "film.gif")
 
 
 # ---- faults
@@ -219,6 +229,13 @@ def test_the_claim_of_who_is_gone_is_taken_over(tmp_path: Path) -> None:
         f"{socket.gethostname()}:{os.getpid()}"
     }
     assert sorted(os.listdir(tmp_path)) == ["a.claim", "b.claim"]
+
+
+def test_a_claim_of_a_time_to_come_is_taken_over_for_the_clock_was_put_back(tmp_path: Path) -> None:
+    held(tmp_path, "a", "elsewhere", 1, -STALE - 20.0)
+    held(tmp_path, "b", "elsewhere", 1, -STALE + 20.0)
+    ours = Claims(tmp_path)
+    assert ours.take("a") and not ours.take("b")
 
 
 def test_a_claim_is_touched_while_its_process_works(

@@ -165,4 +165,5 @@ def _holder(path: Path, now: float) -> Holder | None:
         host, pid, since = str(found["host"]), int(found["pid"]), float(found["since"])
     except (ValueError, TypeError, KeyError, RecursionError):
         host, pid, since = "?", 0, times.st_mtime
-    return Holder(host, pid, max(now - since, 0.0), max(now - times.st_mtime, 0.0))
+    # A time to come is that of a clock which has been put back: one who lives soon touches it anew.
+    return Holder(host, pid, max(now - since, 0.0), abs(now - times.st_mtime))

@@ -19,6 +19,7 @@ FASTEST = 50.0  # frames per second: viewers show what lasts less than 2/100 s s
 MOST = 0xFFFF  # pixels, a side
 SPREAD = 20.0  # chosen: levels between the lightest and the darkest of the pattern
 END = b"\x3b"  # of a file
+CONTROL = b"\x21\xf9\x04"  # a frame begins with it; five bytes follow
 SAME = 3  # chosen: levels by which a pixel may change and still be as before
 
 # The pattern of Bayer (1973), 8 x 8: thresholds -0.5 to 0.5.
@@ -97,8 +98,22 @@ class GifFrames:
         # Rounded to where the frame begins and ends, so that the film is as long as it should be.
         begin, end = (round(100 * k / self._fps) for k in (self._number, self._number + 1))
         self._number += 1
-        self._out.write(b"\x21\xf9\x04" + struct.pack("<BHBB", 0x05, end - begin, COLORS, 0))
+        self._out.write(CONTROL + struct.pack("<BHBB", 0x05, end - begin, COLORS, 0))
         self._out.write(_compressed(sent))
+
+
+def frame_count(data: bytes) -> int:
+    """Return how many whole frames there are, one after another as GifFrames writes; else -1."""
+    at = count = 0
+    while at < len(data):
+        at += len(CONTROL) + 5 + 10 + 1  # with the descriptor and the size of a code
+        if data[at - 11 : at - 10] != b"," or not data.startswith(CONTROL, at - 19):
+            return -1
+        while (length := int.from_bytes(data[at : at + 1])) > 0:
+            at += length + 1
+        at += 1
+        count += 1
+    return count if at == len(data) else -1
 
 
 def _compressed(numbers: np.ndarray) -> bytes:

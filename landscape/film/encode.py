@@ -20,7 +20,7 @@ import numpy as np
 from framelens.base.errors import InputError
 from framelens.base.installation import how_to_add
 from framelens.base.output import Output, check_writable
-from landscape.files.gif import END, FASTEST, GifFrames, header, palette_of
+from landscape.files.gif import END, FASTEST, GifFrames, frame_count, header, palette_of
 from landscape.files.gif import MOST as MOST_OF_GIF
 
 ENDINGS = (".mp4", ".webm", ".gif")
@@ -75,8 +75,8 @@ class PartEncoder(Protocol):
 class Joined(Protocol):
     """A film's file, while its parts are joined."""
 
-    def add(self, part: bytes, name: str = "") -> None:
-        """Add the next part; InputError where it is none of this film, called ``name``."""
+    def add(self, part: bytes, frames: int, name: str = "") -> None:
+        """Add the next part; InputError where it, called ``name``, has not so many frames."""
 
     def finish(self) -> None:
         """Complete the file; InputError where that is impossible."""
@@ -174,12 +174,13 @@ class FilmFile:
 
     def add_part(self, part: bytes, frames: int, name: str = "") -> None:
         """Add the next part, of so many frames; InputError where it cannot be written."""
-        self._joined.add(part, name)
+        self._joined.add(part, frames, name)
         self.frames += frames
 
     def _end_part(self) -> None:
         if self._part is not None:
-            self._joined.add(self._part.finish())
+            frames = (self.frames - 1) % self._format.length + 1
+            self._joined.add(self._part.finish(), frames)
             self._part = None
 
     def finish(self) -> None:
@@ -214,7 +215,9 @@ class _JoinedGif:
         self._output = Output(out, f"--out {out}")
         self._output.write(header(format.size, format.colours))
 
-    def add(self, part: bytes, name: str = "") -> None:
+    def add(self, part: bytes, frames: int, name: str = "") -> None:
+        if frame_count(part) != frames:
+            raise _damaged(name, frames)
         self._output.write(part)
 
     def finish(self) -> None:
@@ -280,11 +283,11 @@ class _JoinedVideo:
     def _named(self) -> "_Named":
         return _Named(self._av, self._name)
 
-    def add(self, part: bytes, name: str = "") -> None:
+    def add(self, part: bytes, frames: int, name: str = "") -> None:
         try:
             opened = self._av.open(io.BytesIO(part))
         except self._av.error.FFmpegError:
-            raise InputError("{name}: no part of a film", name=name) from None
+            raise _damaged(name, frames) from None
         with opened, self._named():
             stream = opened.streams.video[0]
             if self._stream is None:
@@ -300,6 +303,8 @@ class _JoinedVideo:
                     count += 1
                     self._shift(packet)
                     self._container.mux(packet)
+            if count != frames:
+                raise _damaged(name, frames)
             self._frames += count
             if self._sound is not None:
                 self._sound.mux(self._container, self._frames / self._format.fps)
@@ -326,6 +331,16 @@ class _JoinedVideo:
         if self._sound is not None:
             self._sound.close()
         self._output.discard()
+
+
+def _damaged(name: str, frames: int) -> InputError:
+    """Return the error of a part that is damaged, or of another film."""
+    return InputError(
+        "{name}: no part of a film with {frames} frames: delete it, and run the same "
+        "`film --parts` again",
+        name=name,
+        frames=frames,
+    )
 
 
 class _Sound:

@@ -225,7 +225,8 @@ def join(parts: Parts, out: Path) -> None:
     file = joined(out, parts.format(), parts.read_sound())
     try:
         for number in range(parts.plan.parts):
-            file.add(parts.read(number), str(parts.path(number)))
+            frames = len(parts.plan.frames_of(number))
+            file.add(parts.read(number), frames, str(parts.path(number)))
         file.finish()
     finally:
         file.discard()

@@ -134,7 +134,8 @@ def end_all(process: "subprocess.Popen[bytes]") -> None:
 
 def children(pid: int) -> list[int]:
     """Return the processes that a process has started, and theirs, the last ones first."""
-    found = Path(f"/proc/{pid}/task/{pid}/children").read_text("ascii").split()
+    threads = Path(f"/proc/{pid}/task").glob("*/children")
+    found = [each for thread in threads for each in thread.read_text("ascii").split()]
     return [each for child in map(int, found) for each in (*children(child), child)]
 
 
@@ -241,7 +242,7 @@ def main() -> int:
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--preset", default="2006")
     parser.add_argument("--kills", type=int, default=8)
-    parser.add_argument("--longest", type=float, default=10.0, help="seconds between two kills")
+    parser.add_argument("--longest", type=float, default=20.0, help="seconds between two kills")
     parser.add_argument("--seed", type=int, default=random.randrange(1 << 32))
     options = parser.parse_args()
     print(f"seed {options.seed}", flush=True)
