@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import zipfile
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from xml.etree import ElementTree
@@ -14,9 +15,11 @@ from commands import landscape, refused
 
 from framelens.base.errors import InputError
 from framelens.base.executor import Here
+from framelens.base.texts import translator
 from landscape.commands.exercise_class import _page_name
 from landscape.course.roster import grades, moodle, tables
 from landscape.course.roster.grades import Graded, Row, Rules, grade_class
+from landscape.course.roster.page import told
 from landscape.course.roster.submissions import MOST_BYTES, Submission, submissions
 from landscape.course.shelf import exercise
 
@@ -258,6 +261,20 @@ def test_names_are_sorted_by_their_letters_whatever_accents_they_have(tmp_path: 
     assert found == ["eva/a.py", "Éva/é.py", "Éva/f.py", "Eve/a.py", "Öz/a.py", "Zoé/b.py"]
 
 
+def test_names_in_utf_8_are_read_where_a_zip_does_not_say_so(tmp_path: Path) -> None:
+    data = zipped(tmp_path / "class.zip", {"Zoé/a.py": "x"}).read_bytes()
+    silent = data.replace(b"\x00\x08\x00\x00", b"\x00\x00\x00\x00")  # the flag, twice
+    assert silent != data
+    (tmp_path / "class.zip").write_bytes(silent)
+    assert [each.student for each in submissions([tmp_path / "class.zip"])] == ["Zoé"]
+
+
+def test_a_line_that_the_hint_names_is_not_named_twice() -> None:
+    row = Row("a", "1", "a.py", hint="Line 50 draws it.", line=50)
+    assert told(row, translator("en", "course")) == "Line 50 draws it."
+    assert told(replace(row, hint="It moves."), translator("en", "course")) == "line 50: It moves."
+
+
 def test_each_program_of_a_student_has_a_page_of_its_own() -> None:
     folder = FOLDER.format("Bo", 1)
     names = "one.py", "a/x.py", "b/x.py", "work.zip/x.py"
@@ -343,7 +360,10 @@ def test_the_command_writes_what_is_asked_for_and_nothing_where_it_cannot(tmp_pa
         "by --points\n"
     )
     assert "0/10  is empty, expected" in done.out
-    assert landscape("exercise", "check", "empty.py", "--out", "t.html", cwd=tmp_path).status == 1
+    done = landscape(
+        "exercise", "check", "empty.py", "--out", "t.html", "--lang", "fr", cwd=tmp_path
+    )
+    assert done.status == 1 and "-  est vide" in done.out
     assert '<td class="points">-</td>' in (tmp_path / "t.html").read_text()
 
     before = sheet.read_bytes()

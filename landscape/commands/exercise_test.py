@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
         data, added = with_new_texts(found)
         write_whole(found.folder / FRENCH, data)
         if not options.quiet and not options.json:
-            print(_("{file}: {count} texts added").format(file=found.folder / FRENCH, count=added))
+            print(_("{file}: texts added: {count}").format(file=found.folder / FRENCH, count=added))
 
     findings: list[Finding] = []
     with (

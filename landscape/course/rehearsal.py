@@ -156,7 +156,7 @@ class Rehearsal:
         if missing:
             return Finding(
                 tried,
-                Message("{count} are missing, first {text}", count=len(missing), text=missing[0]),
+                Message("missing: {count}, the first: {text}", count=len(missing), text=missing[0]),
             )
         try:
             compile(start(self._found, "fr"), "start.py", "exec")

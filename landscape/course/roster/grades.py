@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
@@ -187,7 +188,7 @@ class _Opened:
             report = self._grader.check(path)
         except InputError as error:
             text = said(error, self._rules.language)
-            return {"error": text.replace(f"{path}: ", "")}, b""
+            return {"error": re.sub(rf"{re.escape(str(path))}\s*: ", "", text)}, b""
 
         values = _values(report, self._rules)
         values["seconds"] = round(monotonic() - began, 2)

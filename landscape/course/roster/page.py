@@ -98,6 +98,6 @@ def told(row: Row, _: Translator) -> str:
     """Return the first hint of a row, or why it was not graded, with the line of the program."""
     text = row.error or row.hint
     named = _(LINE).format(line=row.line)
-    if row.line and named not in text:
+    if row.line and named.casefold() not in text.casefold():
         text = _(TOLD).format(line=named, text=text)
     return text

@@ -31,6 +31,7 @@ UNREADABLE = (
     *(zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, EOFError, OSError),
     *(RuntimeError, NotImplementedError, ValueError, OverflowError),
 )
+UTF_8 = 1 << 11  # the flag of a name that is not in code page 437
 # Of a zip's directory: names that are no student's, as the systems of their makers leave them.
 HIDDEN = "__MACOSX"
 
@@ -135,7 +136,7 @@ def _of_zip(data: bytes, name: str, room: _Room) -> Iterator[File]:
     for entry in sorted(entries, key=lambda entry: entry.filename):
         if not entry.filename:
             continue
-        inside = PurePosixPath(entry.filename.replace("\\", "/"))
+        inside = PurePosixPath(_named(entry).replace("\\", "/"))
         if inside.is_absolute() or ".." in inside.parts:
             raise InputError(
                 "{name}: has a file outside of itself, {file}", name=name, file=entry.filename
@@ -150,6 +151,16 @@ def _of_zip(data: bytes, name: str, room: _Room) -> Iterator[File]:
             yield inside, None, changed, error
         else:
             yield inside, room.take(unpacked), changed, None
+
+
+def _named(entry: zipfile.ZipInfo) -> str:
+    """Return a file's name; some systems write UTF-8 without saying so."""
+    if entry.flag_bits & UTF_8:
+        return entry.filename
+    try:
+        return entry.filename.encode("cp437").decode("utf-8")
+    except UnicodeError:
+        return entry.filename
 
 
 def _date(numbers: tuple[int, int, int, int, int, int]) -> datetime:
