@@ -1,10 +1,13 @@
 """The sea: relief, opacity, shallows, the mirror image in texture or framebuffer, new settings."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from seaside import BACKGROUND, CALM, LEVEL, POSE, beach, drawn, grid_at, mirrored_wall, red, sent
 from stage import WHITE_LIGHT, Stage, close, live_names, pixel, project, quad, small, taken
 
+from framelens.base.errors import InputError
 from framelens.gl.seam import gl
 from landscape.elements.best.sea import waves
 from landscape.elements.best.sea.sea import Sea, fog_depths, reflected
@@ -37,6 +40,18 @@ def test_the_sea_is_wanted_in_best_and_wherever_one_of_its_switches_is_on() -> N
     assert Sea.serves(small({"water.foam": True})) and Sea.serves(small({"water.ripples": 0.1}))
     assert Sea.serves(small({"water.horizon_contrast": 0.1}))
     assert not Sea.serves(small({"water.horizon": 400.0, "water.query": True}))
+
+
+def test_a_dragon_that_cannot_be_read_leaves_no_texture_behind(
+    stage: Stage, plain: Assets, tmp_path: Path
+) -> None:
+    (tmp_path / "bad.ply").write_text("ply\n")
+    mesh = {"dragon.mesh": str(tmp_path / "bad.ply")}
+    settings = small({"water.foam": True, "water.shallow": True, **mesh})
+    before = live_names()
+    with pytest.raises(InputError, match="bad"):
+        Sea(settings, plain, beach(), dragon=True)
+    assert live_names() == before
 
 
 # Relief and opacity.

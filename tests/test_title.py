@@ -17,7 +17,7 @@ from landscape.walk import last
 from landscape.walk.last import LastWalk
 from landscape.walk.thumbnails import FLIGHT, SIZE, thumbnail
 from landscape.walk.title import main_entries, view_entries
-from landscape.walk.title_image import Row, title_image
+from landscape.walk.title_image import Row, covering, title_image
 
 pytestmark = pytest.mark.window
 
@@ -75,6 +75,14 @@ def test_the_chosen_row_is_seen_in_every_window(size: tuple[int, int]) -> None:
             assert 0 <= top < end <= size[1]
             assert drawn.at(5, (top + end) / 2) == chosen
             assert drawn.at(5, -1) is None and drawn.at(size[0], top) is None
+
+
+def test_a_picture_fills_windows_of_all_sizes(tmp_path: Path) -> None:
+    path = tmp_path / "a.png"
+    Image.new("RGB", (480, 270), (9, 9, 9)).save(path)
+    for width in range(90, 1000, 41):
+        for height in (90, 123, 457, 799):
+            assert covering(path, (width, height)).size == (width, height)
 
 
 def test_a_picture_that_cannot_be_read_is_none(tmp_path: Path) -> None:

@@ -57,9 +57,10 @@ def covering(path: Path | None, size: tuple[int, int]) -> Image.Image:
         return plain
     width, height = size
     times = max(width / picture.width, height / picture.height)
-    part = width / times, height / times
+    # A division may round up: no part is larger than the picture.
+    part = min(width / times, picture.width), min(height / times, picture.height)
     left, top = (picture.width - part[0]) / 2, (picture.height - part[1]) / 2
-    box = (left, top, left + part[0], top + part[1])
+    box = (left, top, min(left + part[0], picture.width), min(top + part[1], picture.height))
     return picture.resize(size, Image.Resampling.BILINEAR, box)
 
 

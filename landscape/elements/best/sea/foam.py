@@ -18,11 +18,10 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, combine, matrix
 from framelens.gl.texture import Texture
 from landscape.elements.best.sea.eye_grid import EyeGrid
-from landscape.elements.best.sea.serpent_wash import rings_around
+from landscape.elements.best.sea.serpent_wash import Rings
 from landscape.elements.best.sea.shoreline import averaged, last_foam, shore_map, spread
 from landscape.elements.settings import Settings
 from landscape.elements.sun import painted
-from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
@@ -228,13 +227,11 @@ def shore_wash(field: HeightField) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
 class Foam:
     """The foam along all shores, and around the dragon; Sea draws it with its own vertices."""
 
-    def __init__(
-        self, settings: Settings, assets: Assets, field: HeightField, dragon: bool = False
-    ) -> None:
-        """Make the textures; with ``dragon``, also those of its rings."""
+    def __init__(self, field: HeightField, rings: Rings | None = None) -> None:
+        """Make the textures; with ``rings``, also those around the dragon."""
         self._washes = [Wash(*shore_wash(field), size=field.size)]
-        if dragon:
-            self._washes.append(Wash(*rings_around(settings, assets)))
+        if rings is not None:
+            self._washes.append(Wash(*rings))
         white = np.full((LACE, LACE, 4), 255, np.uint8)
         white[..., 3] = np.rint(lace() * 255)
         self._lace = Texture(white, trilinear=False)

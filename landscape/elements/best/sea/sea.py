@@ -31,6 +31,7 @@ from landscape.elements.best.sea.glitter import Glitter
 from landscape.elements.best.sea.mirror_image import MirrorImage, Taken, mirror_unit
 from landscape.elements.best.sea.mirror_pass import draw_mirror
 from landscape.elements.best.sea.ripples import Ripples
+from landscape.elements.best.sea.serpent_wash import rings_around
 from landscape.elements.best.sea.shallows import (
     TEXELS,
     Shallows,
@@ -166,6 +167,8 @@ class Sea(Element[Settings]):
         """
         self.settings = settings
         self._size = field.size
+        # The mesh is read before any texture is made: if it cannot be, nothing is left behind.
+        rings = rings_around(settings, assets) if settings.water.foam and dragon else None
         depths = sea_depths(field)
         self._relief = np.clip(depths / SHOAL, 0.0, 1.0).astype(np.float32)
         self._hidden = hidden_bottom(depths).astype(np.float32)
@@ -179,7 +182,7 @@ class Sea(Element[Settings]):
             if settings.water.shallow and possible("water.shallow"):
                 self._shallows = Shallows(depths, field.size)
 
-        self._foam = Foam(settings, assets, field, dragon) if settings.water.foam else None
+        self._foam = Foam(field, rings) if settings.water.foam else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
 
     def mark(self) -> None:

@@ -5,6 +5,7 @@ A map of the distance from the line where its mesh crosses the water, as for the
 """
 
 import math
+from typing import TypeAlias
 
 import numpy as np
 
@@ -22,6 +23,8 @@ FADING = 0.3  # chosen: units in which a ring fades to a third
 EDGE = 1.0  # chosen: density of the foam at its sides
 EDGE_WIDTH = 0.06  # chosen: units in which that falls to a third
 CALM = -0.1  # chosen: density between the rings: below 0, so that they are narrow
+Rings: TypeAlias = tuple[tuple[np.ndarray, ...], np.ndarray, tuple[float, float], float]
+"""What rings_around returns."""
 
 
 def outline(settings: Settings, assets: Assets) -> np.ndarray:
@@ -45,9 +48,7 @@ def rings(distance: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return swell, -2 * np.pi / RINGS * distance, edge * fade - (1.0 - fade)
 
 
-def rings_around(
-    settings: Settings, assets: Assets
-) -> tuple[tuple[np.ndarray, ...], np.ndarray, tuple[float, float], float]:
+def rings_around(settings: Settings, assets: Assets) -> Rings:
     """Return what :func:`rings` does for each texel of a map around the dragon, and its place.
 
     Before that, how far from foam each texel is. The place is x and z of the map's corner, and its
