@@ -2,17 +2,18 @@
 
 import re
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import pytest
 from commands import TESTS
-from PIL import Image
+from PIL import Image, features
 
+from framelens.base.errors import InputError
 from framelens.base.texts import LANGUAGES, translator
 from framelens.spec import spec
 from landscape.commands.lesson import described, program_described
-from landscape.course.ladder import lessons, program_files
+from landscape.course.ladder import LADDER, lessons, program_files
 from landscape.course.pages import as_markdown, blocks
 from landscape.course.shelf import NAMES, exercise
 from landscape.gallery.scene_captions import INTRODUCTIONS, STEPS, VIEW_TEXTS
@@ -28,6 +29,7 @@ MODULES = (
     "lesson_pages",
     "links",
     "share",
+    "sizes",
     "start",
     "theme",
 )
@@ -209,15 +211,91 @@ def test_a_picture_of_two_languages_is_kept_once_and_its_pages_lead_there(
     assert list(site.links.dead_links(tmp_path)) == []
 
 
-def test_the_search_in_french_takes_no_notice_of_accents(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def conf(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Sphinx's configuration."""
     pytest.importorskip("sphinx")
     import importlib
 
     monkeypatch.syspath_prepend(str(TESTS.parent / "docs" / "site"))
-    conf = importlib.import_module("conf")
+    return importlib.import_module("conf")
+
+
+def test_the_search_in_french_takes_no_notice_of_accents(conf: Any) -> None:
     stem = conf.French({}).stem
     assert stem("Lumière") == stem("lumiere") and stem("œil") == stem("oeil")
     assert stem("lumières") == stem("lumiere")
+
+
+def test_a_site_that_is_too_large_is_told_by_sort_of_file(
+    site: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files = ("a.html", "b-loop.avif", "b-strip.webp", "b.webp", "searchindex.js")
+    for number, name in enumerate(files, 1):
+        (tmp_path / name).write_bytes(bytes(number * 1000))
+    found = site.sizes.sizes(tmp_path)
+    assert list(found) == list(site.sizes.LIMITS)
+    assert list(found.values()) == [0.001, 0.002, 0.003, 0.004, 0.005]
+    assert list(site.sizes.too_large(tmp_path)) == []
+    monkeypatch.setitem(site.sizes.LIMITS, "strips", 0.002)
+    monkeypatch.setattr(site.sizes, "TOTAL", 0.01)
+    strips, total = site.sizes.too_large(tmp_path)
+    assert strips.startswith("strips: ") and total.startswith("the site: ")
+
+
+def test_a_strip_is_kept_in_the_smaller_format_and_its_page_names_that(
+    site: Any, tmp_path: Path
+) -> None:
+    drawn = site.drawn.Drawn(tmp_path)
+    drawn.pictures("en").mkdir()
+    noise = Image.effect_noise((320, 240), 60).convert("RGB")
+    flat = Image.new("RGB", (320, 240), "navy")
+    for name, picture in (("noise", noise), ("flat", flat)):
+        sheet = drawn.pictures("en") / f"{name}-strip.png"
+        picture.save(sheet)
+        site.drawn._save_sheet(sheet)
+        assert not sheet.exists()
+        with Image.open(drawn.pictures("en") / drawn.strip(name, "en")) as kept:
+            assert kept.size == (320, 240)
+    assert drawn.strip("flat", "en") == "flat-strip.webp"
+    wanted = "avif" if features.check("avif") else "webp"
+    assert drawn.strip("noise", "en") == f"noise-strip.{wanted}"
+    assert len(list(drawn.pictures("en").iterdir())) == 2
+
+
+def test_pages_are_written_anew_with_the_calls_of_the_last_build(site: Any, tmp_path: Path) -> None:
+    drawn = site.drawn.Drawn(tmp_path)
+    drawn.add([site.drawn.Seen("glFogf", "island/fog", "fog.py:31")])
+    with pytest.raises(InputError):
+        site.drawn.Drawn.kept(tmp_path)
+    drawn.keep()
+    assert site.drawn.Drawn.kept(tmp_path) == drawn
+
+
+def test_the_sidebar_has_the_lessons_of_the_page_s_own_topic(conf: Any) -> None:
+    first, other = (
+        next(each for each in lessons() if each.topic == topic) for topic in list(LADDER)[:2]
+    )
+    entry = '<li class="toctree-l2"><a class="reference internal" href="{}.html">X</a></li>\n'
+    tree = entry.format(first.name) + entry.format(other.name)
+    context: dict[str, Any] = {}
+    conf.open_branch(None, f"lessons/{first.name}", "", context, None)
+    assert context["neighbours"](tree) == entry.format(first.name)
+    conf.open_branch(None, "exercises/mirror", "", context, None)
+    assert context["neighbours"](tree) == tree
+
+
+def test_a_call_in_code_is_a_link_but_not_inside_a_link(conf: Any) -> None:
+    code = '<code class="docutils literal notranslate"><span class="pre">glFogf</span></code>'
+    app = SimpleNamespace(call_pages={"glFogf": "calls/glFog"})
+    marked = '<span class="n">glFogf</span><span class="p">(</span><span class="mi">1</span>'
+    linked = f'<a class="reference internal" href="glFog.html"><span>{code}</span></a>'
+    context = {"body": f"<p>{code}</p>{linked}<pre>{marked}</pre>"}
+    conf.link_calls(app, "calls/index", "", context, None)
+    link = '<a class="call" href="../calls/glFog.html">glFogf</a>'
+    assert context["body"] == (
+        f'<p>{code.replace("glFogf", link)}</p>{linked}<pre>{link}(<span class="mi">1</span></pre>'
+    )
 
 
 def test_a_dead_link_and_a_missing_place_are_found(site: Any, tmp_path: Path) -> None:

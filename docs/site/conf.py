@@ -11,6 +11,8 @@ from sphinx.search import languages
 from sphinx.search.fr import SearchFrench
 from sphinx.util.docutils import SphinxDirective
 
+from landscape.course.ladder import lessons
+
 project = "landscape"
 author = "The landscape authors"
 extensions = ["myst_parser", "sphinx_design"]
@@ -42,6 +44,11 @@ html_theme_options = {"navigation_with_keys": True}
 pygments_style = "friendly"
 pygments_dark_style = "native"
 
+# Names, punctuation and spaces, which both styles leave in the colour of the text: their marks were
+# a fifth of a page of code.
+PLAIN = re.compile(r'<span class="[npw]">([^<]*|<a class="call"[^>]*>\w+</a>)</span>')
+# A page that is listed in the sidebar, of the second level.
+ENTRY = re.compile(r'<li class="toctree-l2"><a [^>]*href="([^"#]+)"[^>]*>.*?</a></li>\n?')
 CALLS = Path(__file__).parent / "calls.json"
 
 
@@ -109,16 +116,36 @@ def link_calls(app, pagename, templatename, context, doctree) -> None:
             return match[0]
         return f'{match[1]}<a class="call" href="{up}{page}.html">{match[2]}</a>{match[3]}'
 
+    def outside_links(match: re.Match[str]) -> str:
+        return match[0] if match[1] else re.sub(inline, link, match[0])
+
     body = re.sub(r'(<span class="n[a-z]*">)(gl[A-Z]\w+)(</span>)', link, context["body"])
     inline = r'(<code class="docutils literal notranslate"><span class="pre">)(gl[A-Z]\w+)(</span>)'
-    body = re.sub(inline, link, body)
+    anchor = r"(<a [^>]*>(?:<span[^>]*>)?)"  # what is in a link already leads elsewhere
+    body = re.sub(f"{anchor}?{inline}", outside_links, body)
     line = r'<span class="linenos">( *(\d+))</span>'
-    context["body"] = re.sub(line, r'<span class="linenos" id="line-\2">\1</span>', body)
+    body = re.sub(line, r'<span class="linenos" id="line-\2">\1</span>', body)
+    context["body"] = PLAIN.sub(r"\1", body)
+
+
+def open_branch(app, pagename, templatename, context, doctree) -> None:
+    """Give the sidebar a function that leaves, of the lessons, those of the page's own topic."""
+    topics = {f"{lesson.name}.html": lesson.topic for lesson in lessons()}
+    own = topics.get(f"{pagename.removeprefix('lessons/')}.html")
+
+    def kept(match: re.Match[str]) -> str:
+        return match[0] if topics.get(match[1], own) == own else ""
+
+    def neighbours(tree: str) -> str:
+        return ENTRY.sub(kept, tree) if own else tree
+
+    context["neighbours"] = neighbours
 
 
 def setup(app) -> None:
     app.call_pages = json.loads(CALLS.read_text()) if CALLS.exists() else {}
     app.add_directive("before-after", BeforeAfter)
     app.connect("html-page-context", link_calls)
+    app.connect("html-page-context", open_branch)
     app.connect("build-finished", fold_queries)
     languages["fr"] = French

@@ -1,6 +1,6 @@
 """The site of the course: its pages are written from the code, in each language, and built.
 
-    python scripts/site build [--out build/site] [--jobs N]
+    python scripts/site build [--out build/site] [--jobs N] [--pages]
     python scripts/site check [--out build/site]
 
 It draws the pictures of the lessons, writes the sources of the pages for each language into
@@ -32,6 +32,7 @@ import theme
 from drawn import Drawn, draw_exercise, draw_lesson, read_scene, shrink
 
 from framelens.base.engine import engine
+from framelens.base.errors import InputError
 from framelens.base.executor import ahead, in_order, lent_or_own
 from framelens.base.progress import Progress
 from framelens.base.texts import LANGUAGES
@@ -43,7 +44,9 @@ from landscape.scene.scene import scene
 
 ROOT = Path(__file__).resolve().parents[2]
 ENGINE = "a cluster of Dask that shares this checkout, with PYTHONPATH=scripts/site"
+PAGES = "write only the pages anew; the pictures stay those of the last build"
 SOURCE = ROOT / "build" / "site-source"
+PICTURES = SOURCE / "pictures"
 
 
 def main() -> int:
@@ -52,6 +55,7 @@ def main() -> int:
     parser.add_argument("command", choices=("build", "check"))
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "site", metavar="DIR")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
+    parser.add_argument("--pages", action="store_true", help=PAGES)
     parser.add_argument("--engine", metavar="ADDRESS|FILE.json", help=ENGINE)
     options = parser.parse_args()
     if options.command == "check":
@@ -60,18 +64,23 @@ def main() -> int:
         faults = check(options.out.resolve())
         print("\n".join(faults) or "the site is whole")
         return 1 if faults else 0
+    if options.pages:
+        try:
+            return build(options.out, options.jobs, only_pages=True)
+        except InputError as error:
+            parser.error(str(error))
     if options.engine is None:
         return build(options.out, options.jobs)
     with engine(options.engine, maker, lambda line: print(line, file=sys.stderr)) as workers:
         return build(options.out, workers.workers, workers)
 
 
-def build(out: Path, jobs: int, workers: Executor | None = None) -> int:
+def build(out: Path, jobs: int, workers: Executor | None = None, only_pages: bool = False) -> int:
     """Build the site; return the exit status."""
     begin = time.monotonic()
-    shutil.rmtree(SOURCE, ignore_errors=True)
-    shutil.rmtree(out, ignore_errors=True)
-    drawn = draw(SOURCE / "pictures", jobs, workers)
+    drawn = Drawn.kept(PICTURES) if only_pages else draw(PICTURES, jobs, workers)
+    for stale in (out, SOURCE / "doctrees"):
+        shutil.rmtree(stale, ignore_errors=True)
     for language in LANGUAGES:
         folder = SOURCE / language
         write(folder, language, drawn)
@@ -91,6 +100,7 @@ def draw(folder: Path, jobs: int, engine: Executor | None = None) -> Drawn:
     The workers are ``jobs`` processes of this machine, or those of an ``engine`` that shares its
     folders.
     """
+    shutil.rmtree(folder, ignore_errors=True)
     for language in LANGUAGES:
         (folder / language).mkdir(parents=True)
     drawn = Drawn(folder)
@@ -111,11 +121,13 @@ def draw(folder: Path, jobs: int, engine: Executor | None = None) -> Drawn:
         for seen in in_order(workers, call, work, ahead(jobs)):
             drawn.add(seen)
             progress.step("pictures")
+    drawn.keep()
     return drawn
 
 
 def write(folder: Path, language: str, drawn: Drawn) -> None:
     """Write the sources of all pages in a language."""
+    shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT / "docs" / "site", folder)
     (folder / "pictures").symlink_to(drawn.pictures(language))
     index = calls.index(drawn)

@@ -1,4 +1,4 @@
-"""The built site, checked: its links in its files, and its pages in headless Chromium, offline."""
+"""The built site, checked: its size, its links, and its pages in headless Chromium, offline."""
 
 import shutil
 from collections.abc import Iterator
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from links import dead_links
 from playwright.sync_api import Browser, Page, sync_playwright
+from sizes import too_large
 
 from framelens.base.texts import LANGUAGES
 
@@ -26,7 +27,7 @@ def check(site: Path) -> list[str]:
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
         return [f"found no browser to check with: expected one of {', '.join(BROWSERS)}"]
-    faults = list(dead_links(site))
+    faults = [*too_large(site), *dead_links(site)]
     with sync_playwright() as playwright:
         opened = playwright.chromium.launch(executable_path=browser, args=FLAGS)
         faults += _looked_at(opened, site)

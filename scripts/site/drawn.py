@@ -3,9 +3,10 @@
 Each language has a folder of pictures, as the lessons write on theirs.
 """
 
+import json
 import shutil
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import astuple, dataclass, field
 from pathlib import Path
 
 from PIL import Image, features
@@ -25,12 +26,17 @@ from landscape.course.shelf import exercise
 from landscape.scene.scene import find_view
 
 QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
+# Chosen: a strip as AVIF is as close to what was drawn as WebP of QUALITY in half of the bytes, and
+# with its colours at full size its letters are sharper.
+SHEET = {"quality": 65, "speed": 7, "subsampling": "4:4:4"}
 EVERY = 4  # chosen: frames of the program for one of its animation
-# Chosen: the formats of an animation and their qualities, the best first. AVIF takes a quarter of
-# WebP, in which some lessons have 2.5 MB; an older Pillow may lack it.
-LOOPS = {"avif": {"quality": 50, "speed": 8}, "webp": {"quality": 30, "method": 2}}
+# Chosen: the formats of an animation and their qualities, the best first. AVIF takes a tenth to a
+# quarter of WebP, in which some lessons have 2.5 MB; an older Pillow may lack it. From speed 7 on
+# libaom encodes for live pictures: in a tenth of the time, with up to four times the bytes.
+LOOPS = {"avif": {"quality": 50, "speed": 6}, "webp": {"quality": 30, "method": 2}}
 LIMIT = 300.0  # chosen, in seconds: a busy machine draws a loop slowly, and that is no fault
 EXERCISE = "exercise"
+SEEN = "seen.json"
 STRIP_STEPS = 40  # chosen: draw calls that a strip shows one by one; with more, by function
 
 
@@ -55,15 +61,38 @@ class Drawn:
         """Note calls."""
         self.seen.update(dict.fromkeys(calls))
 
+    def keep(self) -> None:
+        """Write the calls beside the pictures, for the next build that draws nothing."""
+        (self.folder / SEEN).write_text(json.dumps([astuple(call) for call in self.seen]))
+
+    @classmethod
+    def kept(cls, folder: Path) -> "Drawn":
+        """Return what an earlier build has drawn into a folder.
+
+        Raise InputError where none has.
+        """
+        if not (folder / SEEN).is_file():
+            raise InputError("{folder}: expected the pictures of an earlier build", folder=folder)
+        drawn = cls(folder)
+        drawn.add(Seen(*call) for call in json.loads((folder / SEEN).read_text()))
+        return drawn
+
     def pictures(self, language: str) -> Path:
         """Return the folder of a language's pictures."""
         return self.folder / language
 
     def lesson_picture(self, name: str, language: str) -> str:
         """Return the file of a lesson's loop, or of its picture where it has none."""
-        loops = (f"{name}-loop.{kind}" for kind in LOOPS)
-        found = (loop for loop in loops if (self.pictures(language) / loop).exists())
-        return next(found, f"{name}.webp")
+        return self._found(f"{name}-loop", language) or f"{name}.webp"
+
+    def strip(self, name: str, language: str) -> str:
+        """Return the file of the strip of a lesson's frame."""
+        return self._found(f"{name}-strip", language) or f"{name}-strip.webp"
+
+    def _found(self, stem: str, language: str) -> str:
+        """Return the file of this name in the first format that it has; "" without one."""
+        files = (f"{stem}.{kind}" for kind in LOOPS)
+        return next((file for file in files if (self.pictures(language) / file).exists()), "")
 
 
 def draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
@@ -94,11 +123,24 @@ def _draw_lesson(name: str, language: str, folder: Path) -> list[Seen]:
     draws = sum(call.name in ("glBegin", "glEnd") or "Draw" in call.name for call in calls)
     sheet = folder / f"{name}-strip.png"
     _draw_strip(target, language, sheet, draws // 2)
-    Image.open(sheet).convert("RGB").save(sheet.with_suffix(".webp"), quality=QUALITY)
-    sheet.unlink()
+    _save_sheet(sheet)
     return [
         Seen(call.name, name, call.source) for call in calls if call.site.path == str(found.file)
     ]
+
+
+def _save_sheet(sheet: Path) -> None:
+    """Make a PNG an AVIF, or a WebP where that is smaller without loss or Pillow lacks AVIF."""
+    picture = Image.open(sheet).convert("RGB")
+    small, plain = sheet.with_suffix(".avif"), sheet.with_suffix(".webp")
+    sheet.unlink()
+    if not features.check("avif"):
+        picture.save(plain, quality=QUALITY)
+        return
+    picture.save(small, **SHEET)
+    picture.save(plain, lossless=True)
+    larger = max(small, plain, key=lambda path: path.stat().st_size)
+    larger.unlink()
 
 
 def _draw_strip(target: ProgramFrame, language: str, sheet: Path, draws: int) -> None:

@@ -49,6 +49,7 @@ def _card(each: Lesson, language: str) -> str:
 def _page(each: Lesson, language: str, drawn: Drawn) -> str:
     _ = translator(language, "site", "course", "lessons")
     picture = drawn.lesson_picture(each.name, language)
+    strip = drawn.strip(each.name, language)
     needs = ", ".join(title_link(lesson(name), language) for name in each.needs)
     exercises = of_lesson(each.name, language)
     parts = [
@@ -70,8 +71,8 @@ def _page(each: Lesson, language: str, drawn: Drawn) -> str:
         ).format(frame=each.frame),
         f"```sh\nlandscape lesson {each.name} --copy\n"
         f"landscape strip {each.name}.py --frame {each.frame}\n```",
-        f"```{{image}} ../pictures/{each.name}-strip.webp\n:alt: {_('The frame, step by step')}\n"
-        f":target: ../_images/{each.name}-strip.webp\n```",
+        f"```{{image}} ../pictures/{strip}\n:alt: {_('The frame, step by step')}\n"
+        f":target: ../_images/{strip}\n```",
     ]
     return "\n\n".join(parts) + "\n"
 

@@ -61,9 +61,10 @@ def caption(step: Step) -> str:
         return _own(step, step.caption)
     if step.kind == LESSON:
         return translated(lesson(step.name).about[0])
-    fixes = {fix.name: fix.look for fix in FIXES}
-    look = VIEW_PANELS[step.name][1] if step.name in VIEW_PANELS else fixes.get(step.name, "")
-    return translator(choose(os.environ), "gallery")(look)
+    # A step shows a fix on. Its `look` compares that with the picture before, which is not shown.
+    fixes = {fix.name: fix.how for fix in FIXES}
+    text = VIEW_PANELS[step.name][1] if step.name in VIEW_PANELS else fixes.get(step.name, "")
+    return translator(choose(os.environ), "gallery")(text)
 
 
 def captions(step: Step) -> list[str]:

@@ -12,6 +12,7 @@ from landscape.course.roster.tables import printable
 TITLE = _("Exercises of a class")
 COUNTS = _("Programs that pass: {passed} of {all}")
 PICTURE = _("the picture of {student}, where it differs, and the solution's")
+LABELS = (_("the student's picture"), _("where it differs"), _("the solution's"))
 LINE = _("line {line}")
 TOLD = _("{line}: {text}")
 LATE = _("late")
@@ -28,7 +29,9 @@ body { font: 16px/1.45 sans-serif; margin: 2em auto; max-width: 70em; padding: 0
 table { border-collapse: collapse; width: 100%; }
 th, td { border-bottom: 1px solid #ccc; padding: .3em .6em; text-align: left; vertical-align: top; }
 td.points { white-space: nowrap; }
-img { display: block; margin-top: .4em; max-width: 100%; }
+img { display: block; max-width: 100%; }
+figure { margin: .4em 0 0; width: fit-content; }
+figcaption { display: grid; font-size: .85em; grid-template-columns: 1fr 1fr 1fr; }
 tr.passed td.points { color: #1a6b2f; }
 tr.failed td.points { color: #9b1c1c; }
 .pair { display: grid; gap: 1em; grid-template-columns: 1fr 1fr; }
@@ -78,7 +81,9 @@ def _line_of(graded: Graded, _: Translator, hidden: bool) -> str:
     if graded.picture:
         text = html.escape(_(PICTURE).format(student=printable(row.student)), quote=True)
         source = base64.b64encode(graded.picture).decode()
-        hint += f'<img alt="{text}" src="data:image/png;base64,{source}">'
+        labels = "".join(f"<span>{html.escape(_(each))}</span>" for each in LABELS)
+        image = f'<img alt="{text}" src="data:image/png;base64,{source}">'
+        hint += f"<figure>{image}<figcaption>{labels}</figcaption></figure>"
     student = html.escape(printable(row.student))
     if row.late:
         student += f" ({html.escape(_(LATE))})"
