@@ -348,7 +348,7 @@ def test_the_command_writes_what_is_asked_for_and_nothing_where_it_cannot(tmp_pa
     assert "20/20" in done.out and " 0/20" in done.out
     page = (tmp_path / "t.html").read_text()
     assert '<html lang="fr">' in page and page.count("data:image/png") == 2
-    assert page.count("<figcaption><span>l&#x27;image de l&#x27;étudiant</span>") == 2
+    assert page.count("<figcaption><span>l’image de l’étudiant</span>") == 2
     with zipfile.ZipFile(tmp_path / "back.zip") as archive:
         assert f"{FOLDER.format('Bo', 1)}/winding.html" in archive.namelist()
     assert len(list((tmp_path / "gradescope").glob("*/results.json"))) == 4
