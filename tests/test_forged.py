@@ -59,6 +59,20 @@ import sys
 recorded = sys.modules["landscape.course.grader.recorded"]
 recorded.Writer.written = lambda *_: b"other bytes"
 """
+# Calls that end in a crash, or do not come to an end of the frame, when they are made again.
+BREAKS = """
+import sys
+import numpy
+witness = sys.modules["landscape.course.grader.witness"]
+recorded = sys.modules["landscape.course.grader.recorded"]
+witness.read_pixels = lambda size, of=witness.read_pixels: 255 - of(size)
+def written(self, source, takes, of=recorded.Writer.written):
+    self.calls.append({call})
+    made = self.blobs.add(numpy.array([len(self.calls) - 1], numpy.int32).tobytes())
+    return of(self, source, {takes})
+recorded.Writer.written = written
+"""
+ALL = '[{**take, "made": [made] * len(take["made"])} for take in takes]'
 
 
 def with_pictures(report: Report) -> str:
@@ -70,7 +84,13 @@ def with_pictures(report: Report) -> str:
     return BRINGS.format(pictures=pictures)
 
 
-@pytest.mark.parametrize("kind", ["brings the right pictures", "claims other calls", "sends bytes"])
+@pytest.mark.parametrize(
+    "kind",
+    [
+        *("brings the right pictures", "claims other calls", "sends bytes"),
+        *("cannot be called", "has too few frames", "has no take"),
+    ],
+)
 def test_what_the_program_did_not_draw_is_refused(
     kind: str, grader: Grader, right: Report, tmp_path: Path
 ) -> None:
@@ -79,6 +99,12 @@ def test_what_the_program_did_not_draw_is_refused(
         "brings the right pictures": ("start.py", with_pictures(right)),
         "claims other calls": ("solution.py", CLAIMS),
         "sends bytes": ("solution.py", SENDS),
+        "cannot be called": ("solution.py", BREAKS.format(call=["glFlush", 1], takes=ALL)),
+        "has too few frames": (
+            "solution.py",
+            BREAKS.format(call=["glFlush"], takes='[{**take, "made": []} for take in takes]'),
+        ),
+        "has no take": ("solution.py", BREAKS.format(call=["glFlush"], takes="[]")),
     }[kind]
     code = (folder / program).read_text(encoding="utf-8")
     assert code.count("import glfw\n") == 1

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import os
 import zipfile
 from dataclasses import replace
 from datetime import datetime
@@ -102,6 +103,19 @@ def test_files_folders_and_a_folder_around_all_are_submissions_of_who_is_named(
 
 
 @pytest.mark.parametrize("name", ["../out.py", "/etc/out.py", "a/../../out.py", "..\\out.py"])
+@pytest.mark.posix_only("links and pipes")
+def test_links_and_pipes_in_a_folder_are_refused_at_once(tmp_path: Path) -> None:
+    for name in ("ada", "bob", "eve"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "ada" / "mine.py").write_text("x")
+    (tmp_path / "bob" / "mine.py").symlink_to("../ada/mine.py")
+    os.mkfifo(tmp_path / "eve" / "mine.py")
+    ada, bob, eve = submissions([tmp_path])
+    assert ada.data == b"x"
+    assert bob.data is None and "found a link" in str(bob.error)
+    assert eve.data is None and "found a pipe" in str(eve.error)
+
+
 def test_a_zip_with_a_name_outside_of_itself_is_refused(name: str, tmp_path: Path) -> None:
     path = zipped(tmp_path / "class.zip", {name: "x"})
     with pytest.raises(InputError, match="has a file outside of itself"):

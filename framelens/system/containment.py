@@ -1,8 +1,8 @@
 """A process that gives up all that somebody else's program does not need, by the system's means.
 
 On Linux that is Landlock for files and a filter of system calls (seccomp) for the rest, both of
-which need no right and hold for root, too. Elsewhere there is nothing of the kind that a process
-could do to itself.
+which need no right and hold for root, too, who also gives up most capabilities. Elsewhere there is
+nothing of the kind that a process could do to itself.
 """
 
 import errno
@@ -10,7 +10,7 @@ import sys
 from collections.abc import Iterable
 
 if sys.platform == "linux":
-    from framelens.system import landlock, seccomp
+    from framelens.system import capabilities, landlock, seccomp
 
 # Where programs and libraries are, and what they need of the system.
 SYSTEM = (
@@ -49,6 +49,7 @@ def confine(readable: Iterable[str], listed: Iterable[str], writable: Iterable[s
         rules += [(path, landlock.WRITING) for path in writable]
         rules += [(path, landlock.DEVICE) for path in DEVICES]
         landlock.restrict(rules)
-        seccomp.restrict()
+        capabilities.drop()
+        seccomp.restrict(truncates=landlock.version() >= landlock.SEES_TRUNCATE)
     else:
         raise OSError(errno.ENOSYS, "this system has nothing of the kind")

@@ -34,6 +34,7 @@ DEVICE = READ_FILE | WRITE_FILE | DEVICE_CONTROL
 
 # The rights that the kernel knows: in its first version 13, then one more in the versions 2, 3, 5.
 RIGHTS = {1: 13, 2: 14, 3: 15, 5: 16}
+SEES_TRUNCATE = 3  # the version that knows truncate(2)
 NETWORK = 3  # TCP: bind and connect, from version 4 on
 SCOPES = 3  # abstract sockets and signals of processes outside, from version 6 on
 

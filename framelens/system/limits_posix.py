@@ -42,6 +42,11 @@ def limit_work(seconds: int, file_bytes: int | None = None) -> None:
         _limit(resource.RLIMIT_FSIZE, file_bytes)
 
 
+def limit_open_files(most: int) -> None:
+    """Limit how many files are open at once, pipes among them, which take the system's memory."""
+    _limit(resource.RLIMIT_NOFILE, most)
+
+
 def limit_memory(most: int | None) -> None:
     """Limit the bytes that ``used`` counts; None: no limit. Only Linux does so."""
     if KEEPS_MEMORY:

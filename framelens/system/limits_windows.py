@@ -169,6 +169,10 @@ def leave_network() -> None:
     """Do nothing: a process of Windows cannot leave the network by itself."""
 
 
+def limit_open_files(most: int) -> None:
+    """Do nothing: there is no such limit here."""
+
+
 def limit_addresses(more: int) -> None:
     """Do nothing: there is no such limit here."""
 

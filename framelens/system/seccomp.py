@@ -4,6 +4,8 @@ Landlock (landlock.py) guards the files. This stops what it knows nothing of: ot
 sockets, rights of files, memory that no limit counts. The process keeps its threads and may end
 itself. The filter holds for good, for all threads that are started later and for root, too.
 
+What root may do beyond others counts, too: a program that is checked may run as root.
+
 A call that is refused fails with EPERM; those that the table does not know, because they are newer
 than it, with ENOSYS, and libraries do without them. The kernel's own description is
 Documentation/userspace-api/seccomp_filter.rst.
@@ -40,6 +42,16 @@ REFUSED: dict[str, Numbers] = {
         "chroot": (161, 51),
         "pivot_root": (155, 41),
         "personality": (135, 92),
+        "setuid": (105, 146),
+        "setgid": (106, 144),
+        "setreuid": (113, 145),
+        "setregid": (114, 143),
+        "setresuid": (117, 147),
+        "setresgid": (119, 149),
+        "setfsuid": (122, 151),
+        "setfsgid": (123, 152),
+        "setgroups": (116, 159),
+        "capset": (126, 91),
     },
     "looks into other processes, or changes them": {
         "ptrace": (101, 117),
@@ -113,8 +125,8 @@ REFUSED: dict[str, Numbers] = {
         "fremovexattr": (199, 16),
         "mknod": (133, None),
         "mknodat": (259, 33),
-        "name_to_handle_at": (303, None),
-        "open_by_handle_at": (304, None),
+        "name_to_handle_at": (303, 264),
+        "open_by_handle_at": (304, 265),
         "fanotify_init": (300, 262),
     },
     "keeps memory that outlives the process, or that no limit counts": {
@@ -134,6 +146,10 @@ REFUSED: dict[str, Numbers] = {
         "mq_unlink": (241, 181),
         "memfd_create": (319, 279),
         "memfd_secret": (447, 447),
+        "io_setup": (206, 0),  # of which the whole machine has few
+        "landlock_create_ruleset": (444, 444),
+        "landlock_add_rule": (445, 445),
+        "landlock_restrict_self": (446, 446),
     },
     "lifts a limit, or concerns the whole machine": {
         "setrlimit": (160, 164),
@@ -160,12 +176,22 @@ REFUSED: dict[str, Numbers] = {
         "iopl": (172, None),
         "ioperm": (173, None),
         "vhangup": (153, 58),
+        "sync": (162, 81),
+        "syncfs": (306, 267),
+        "modify_ldt": (154, None),
     },
 }
 NOT_THERE: Numbers = {
     "clone3": (435, 435)
 }  # its arguments cannot be seen; libraries then use clone
+# A thread shares all with the process. With a table of open files of its own (not CLONE_FILES) it
+# would hold files that nobody counts; 2 is close_range's flag for the same.
 CLONE, THREAD = (56, 220), 0x10000
+SHARED = (0x100, 0x200, 0x400, 0x800, THREAD)  # CLONE_VM, _FS, _FILES, _SIGHAND, _THREAD
+NAMESPACES = 0x7E020080  # CLONE_NEWTIME to CLONE_NEWNET
+CLOSE_RANGE, UNSHARE = (436, 436), 2
+# Landlock before its third version does not see this one; Python has it as os.truncate().
+TRUNCATE: Numbers = {"truncate": (76, 45)}
 # Signals are for the process itself: the first argument is its number.
 SIGNALS: Numbers = {"kill": (62, 129), "tgkill": (234, 131)}
 # Harmless calls that some values of an argument make harmful: (numbers, which argument, values).
@@ -176,17 +202,20 @@ VALUES: dict[str, tuple[tuple[int, int], int, tuple[int, ...]]] = {
     # F_SETOWN, F_SETSIG, F_SETOWN_EX, F_NOTIFY: a signal to another process when a file is ready.
     # F_SETLEASE: others wait who open a file. F_SETPIPE_SZ: root's pipes have no limit.
     "fcntl": ((72, 25), 1, (8, 10, 15, 1026, 1024, 1031)),
-    # FIOSETOWN and SIOCSPGRP, the same; TIOCSTI and TIOCLINUX, which type into a terminal.
-    # FS_IOC_SETFLAGS, for 64 and 32 bits, and FS_IOC_FSSETXATTR: a file that cannot be deleted.
-    "ioctl": (
-        (16, 29),
-        1,
-        (0x8901, 0x8902, 0x5412, 0x541C, 0x40086602, 0x40046602, 0x401C5820),
-    ),
+    # MADV_HWPOISON, MADV_SOFT_OFFLINE: take memory from the machine, that of others among it.
+    "madvise": ((28, 233), 2, (100, 101)),
 }
+# What ioctl(2) may be asked for. The others set a file's attributes, type into a terminal, or
+# freeze, resize and shut down the file system of a file. The second byte of a request names whose
+# it is: of Direct Rendering, NVIDIA (0 and F), AMD, buffers and fences that drivers share.
+IOCTL = (16, 29)
+DRIVERS = tuple(ord(letter) << 8 for letter in "\0FKbd>")
+# TCGETS, TIOCGPGRP, TIOCGWINSZ, FIONREAD, FIONBIO, FIONCLEX, FIOCLEX.
+HARMLESS = (0x5401, 0x540F, 0x5413, 0x541B, 0x5421, 0x5450, 0x5451)
 PRLIMIT = (302, 261)  # may ask for limits, but set none: its third argument is 0
 
-LOAD, EQUAL, ANY_BIT, AT_LEAST, RETURN = 0x20, 0x15, 0x45, 0x35, 0x06  # instructions of BPF
+# Instructions of BPF.
+LOAD, EQUAL, ANY_BIT, AT_LEAST, RETURN, MASK = 0x20, 0x15, 0x45, 0x35, 0x06, 0x54
 ALLOW, FAIL, KILL = 0x7FFF0000, 0x00050000, 0x80000000
 NUMBER, MACHINE, ARGUMENTS = 0, 4, 16  # where a filter finds them
 
@@ -196,9 +225,12 @@ def known_machine() -> bool:
     return platform.machine() in MACHINES and sys.maxsize > 2**32 and sys.byteorder == "little"
 
 
-def restrict() -> None:
-    """Refuse this process the calls of the tables, for good; OSError if the kernel refuses."""
-    code = _program(os.getpid())
+def restrict(truncates: bool = True) -> None:
+    """Refuse this process the calls of the tables, for good; OSError if the kernel refuses.
+
+    Unless it ``truncates``, truncate(2) is refused, too.
+    """
+    code = _program(os.getpid(), truncates)
     libc = ctypes.CDLL(None, use_errno=True)
     buffer = ctypes.create_string_buffer(code, len(code))
     program = struct.pack("HxxxxxxP", len(code) // 8, ctypes.addressof(buffer))
@@ -208,7 +240,7 @@ def restrict() -> None:
             raise OSError(number, os.strerror(number))
 
 
-def _program(process: int) -> bytes:
+def _program(process: int, truncates: bool) -> bytes:
     """Return the filter for a process, as instructions of 8 bytes."""
     machine, column = MACHINES[platform.machine()]
     refused, missing = FAIL | errno.EPERM, FAIL | errno.ENOSYS
@@ -216,16 +248,25 @@ def _program(process: int) -> bytes:
     code += _when(AT_LEAST, X32, refused) + _when(AT_LEAST, NEWEST + 1, missing)
     for number in _column(NOT_THERE, column):
         code += _when(EQUAL, number, missing)
-    for calls in REFUSED.values():
+    for calls in (*REFUSED.values(), *(() if truncates else (TRUNCATE,))):
         for number in _column(calls, column):
             code += _when(EQUAL, number, refused)
 
     for number in _column(SIGNALS, column):
         code += _call(number, _load(_argument(0)) + _unless(EQUAL, process, refused))
-    code += _call(CLONE[column], _load(_argument(0)) + _unless(ANY_BIT, THREAD, refused))
+    flags = [_unless(ANY_BIT, flag, refused) for flag in SHARED]
+    flags.append(_when(ANY_BIT, NAMESPACES, refused))
+    code += _call(CLONE[column], _load(_argument(0)) + b"".join(flags))
+    unshares = _load(_argument(2)) + _when(ANY_BIT, UNSHARE, refused)
+    code += _call(CLOSE_RANGE[column], unshares)
     for numbers, argument, values in VALUES.values():
         looks = [_when(EQUAL, value, refused) for value in values]
         code += _call(numbers[column], _load(_argument(argument)) + b"".join(looks))
+    asked = [_when(EQUAL, value, ALLOW) for value in HARMLESS]
+    asked.append(_instruction(MASK, 0xFF00))
+    asked += [_when(EQUAL, value, ALLOW) for value in DRIVERS]
+    asked.append(_instruction(RETURN, refused))
+    code += _call(IOCTL[column], _load(_argument(1)) + b"".join(asked))
     halves = (_load(_argument(2) + half) + _unless(EQUAL, 0, refused) for half in (0, 4))
     code += _call(PRLIMIT[column], b"".join(halves))
     return code + _instruction(RETURN, ALLOW)

@@ -34,7 +34,7 @@ from landscape.course.grader.grading import (
     same_pictures,
 )
 from landscape.course.grader.grading_file import Grading, read_grading
-from landscape.course.grader.sandbox import FULL, LATE, Job, Outcome, Sandbox
+from landscape.course.grader.sandbox import LATE, TOO_MUCH, Job, Outcome, Sandbox
 from landscape.course.grader.trial import Trial, broken_off, elsewhere, trial
 from landscape.course.grader.troubles import SENTENCES, known
 from landscape.course.shelf import COURSE, HIDDEN, Exercise, Shelf
@@ -261,19 +261,22 @@ class Grader:
     ) -> int | None:
         """Return the first frame that the program's calls draw otherwise than it says, if any does.
 
-        They are made again by another process. None, too, if they cannot be.
+        They are made again by another process, which must get as far: the first frame if it does
+        not. None, too, where there are calls that cannot be made again.
         """
         if work.made is None:
             return None
-        if recorded.parsed(work.made) is None:
+        made = recorded.parsed(work.made)
+        if made is None or len(made.takes) != 1:
             return min(frames)
         with self._sandbox.file(work.made) as file:
             player = str(recorded.PLAYER)
-            job = Job(player, frames, events, seconds=self._seconds, recorded=str(file))
+            # Twice the time: what it takes must not depend on what else the machine does.
+            job = Job(player, frames, events, seconds=2 * self._seconds, recorded=str(file))
             (outcome,) = self._sandbox.run([job])
         again = _evidence(recorded.PLAYER, outcome, frames)
         if not isinstance(again, Evidence):
-            return None
+            return min(frames)
         return next((n for n in frames if not same_drawing(work.frame(n), again.frame(n))), None)
 
     def _private(self) -> list[str]:
@@ -307,7 +310,7 @@ def _syntax(path: Path) -> dict[str, Any] | None:
 
 def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence | dict[str, Any]:
     """Return the evidence of a program that has run, or what went wrong."""
-    if outcome.ended in (LATE, FULL):
+    if outcome.ended in (LATE, *TOO_MUCH):
         return {"word": outcome.ended}
     if outcome.crashed:
         if outcome.line:

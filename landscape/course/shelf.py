@@ -207,7 +207,7 @@ def source(path: Path) -> str:
     try:
         encoding, _lines = tokenize.detect_encoding(io.BytesIO(data).readline)
         return data.decode(encoding)
-    except (SyntaxError, UnicodeDecodeError):
+    except (LookupError, SyntaxError, ValueError):  # LookupError: a codec of no text, as rot13
         raise InputError("{path}: is not text, expected a Python program", path=path) from None
 
 

@@ -1,4 +1,9 @@
-"""Plays a solution that was recorded: the program that the sandbox runs in place of it."""
+"""Plays a solution that was recorded: the program that the sandbox runs in place of it.
+
+Or what a student's program has called: an error of OpenGL that it has caught is one here, too.
+"""
+
+import contextlib
 
 import glfw
 from OpenGL import GL
@@ -14,7 +19,8 @@ def main() -> None:
     glfw.make_context_current(window)
     for frame in take.frames:
         for name, args in frame:
-            getattr(GL, name)(*args)
+            with contextlib.suppress(GL.GLError):
+                getattr(GL, name)(*args)
         glfw.swap_buffers(window)
         glfw.poll_events()
 

@@ -36,6 +36,7 @@ PLAYER = Path(__file__).resolve().parent / "player.py"
 COMPRESSED = b"\xfd7zXZ"  # how a compressed file begins
 MOST_BYTES = 64 << 20  # chosen: of a file, and of what was compressed
 MOST_CALLS = 300_000  # chosen: different ones
+MOST_MADE = 4_000_000  # chosen: calls in all frames
 OFFSETS = 1 << 22  # chosen: bytes of a buffer; no address of memory is so low
 MOST_SIDE = 4096  # pixels, chosen: of a window
 KINDS = "biuf"  # of numbers in an array, as numpy names them
@@ -198,7 +199,11 @@ def _unpacked(data: bytes) -> bytes:
 
 
 def _recorded(answer: Mapping[str, Any], blobs: Sequence[memoryview]) -> Recorded:
-    calls = [_call(each, blobs) for each in answer["calls"]]
+    made = sum(len(blobs[each]) // 4 for take in answer["takes"] for each in take["made"])
+    if max(made, len(answer["calls"])) > MOST_MADE:
+        raise ValueError("more calls than a program is allowed")
+    reader = _Reader(blobs)
+    calls = [reader.call(each) for each in answer["calls"]]
     return Recorded(str(answer["source"]), [_take(each, calls, blobs) for each in answer["takes"]])
 
 
@@ -219,28 +224,38 @@ def _made(indices: Iterable[int], calls: Sequence[Call]) -> list[Call]:
     return [calls[index] for index in indices]
 
 
-def _call(said: Sequence[Any], blobs: Sequence[memoryview]) -> Call:
-    name, *args = said
-    if not _can_be_made(name):
-        raise ValueError(f"no function of OpenGL: {name}")
-    return name, tuple(_value(each, blobs) for each in args)
+class _Reader:
+    """Reads calls; bytes that several of them have are copied once."""
 
+    def __init__(self, blobs: Sequence[memoryview]) -> None:
+        self._blobs = blobs
+        self._bytes: dict[int, bytes] = {}
 
-def _value(said: Any, blobs: Sequence[memoryview]) -> Any:
-    """Return an argument from its form in JSON."""
-    if isinstance(said, list):
-        return [_value(each, blobs) for each in said]
-    if not isinstance(said, dict):
-        return said
-    if "bytes" in said:
-        return bytes(blobs[said["bytes"]])
-    if "offset" in said:
-        if not 0 <= said["offset"] < OFFSETS:
-            raise ValueError("no offset in a buffer")
-        return ctypes.c_void_p(said["offset"])
-    if np.dtype(said["type"]).kind not in KINDS:
-        raise ValueError("no array of numbers")
-    return np.frombuffer(blobs[said["array"]], said["type"]).reshape(said["shape"])
+    def call(self, said: Sequence[Any]) -> Call:
+        """Return a call from its form in JSON."""
+        name, *args = said
+        if not _can_be_made(name):
+            raise ValueError(f"no function of OpenGL: {name}")
+        return name, tuple(map(self._value, args))
+
+    def _value(self, said: Any) -> Any:
+        """Return an argument from its form in JSON."""
+        if isinstance(said, list):
+            return [self._value(each) for each in said]
+        if not isinstance(said, dict):
+            return said
+        if "bytes" in said:
+            number = said["bytes"]
+            if number not in self._bytes:
+                self._bytes[number] = bytes(self._blobs[number])
+            return self._bytes[number]
+        if "offset" in said:
+            if not 0 <= said["offset"] < OFFSETS:
+                raise ValueError("no offset in a buffer")
+            return ctypes.c_void_p(said["offset"])
+        if np.dtype(said["type"]).kind not in KINDS:
+            raise ValueError("no array of numbers")
+        return np.frombuffer(self._blobs[said["array"]], said["type"]).reshape(said["shape"])
 
 
 # The take that player.py plays: it is read before the process is contained.

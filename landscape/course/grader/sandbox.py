@@ -9,6 +9,7 @@ it is the same (sandboxed.py). What does not end by itself is ended. The limits:
   interrupted;
 - megabytes of memory beyond what Python and OpenGL take; no core file;
 - megabytes of files, and of the evidence, which comes through a pipe (stream.py);
+- threads, and files that are open at once;
 - what the program prints is discarded, however much it is.
 
 What else it may do is contained by the system where that can (confinement.py): it reads no homes,
@@ -47,6 +48,8 @@ START = 120.0  # seconds, chosen: until a process has imported what programs nee
 PAUSE = 0.01  # seconds, chosen: between two looks at processes
 LOOK = 0.25  # seconds, chosen: between two looks at the files that a program writes
 FILE_BYTES = 64 << 20  # chosen: the largest file
+MOST_THREADS = 256  # chosen: of one program; drivers have some dozens
+MOST_OPEN = 256  # chosen: open files of one program
 CRASH_BYTES = 64 << 10  # chosen: of what faulthandler writes
 # More threads would cost more time to start than they save. Without any, llvmpipe crashes when a
 # window is resized (SIGFPE, in Mesa 22 and in every second process).
@@ -54,6 +57,8 @@ THREADS = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 # How a program ended.
 LATE = "late"
 FULL = "full"  # it wrote more than it may
+MUCH = "much"  # it took more threads, or shared memory, than it may
+TOO_MUCH = (FULL, MUCH)
 STATUS = "status "
 # Why the system contains no programs.
 NO_SYSTEM, NEEDS_SCREEN, NOT_OPENED = "no system", "needs a screen", "not opened"
@@ -88,7 +93,8 @@ class Job:
 class Outcome:
     """How a job ended: what its process sent, and what ended the process.
 
-    ``ended`` says how, as :func:`ended` does, or is FULL. ``errors`` is what faulthandler wrote.
+    ``ended`` says how, as :func:`ended` does, or is one of TOO_MUCH. ``errors`` is what
+    faulthandler wrote.
     """
 
     path: str
@@ -99,12 +105,13 @@ class Outcome:
     @property
     def crashed(self) -> bool:
         """Whether the system ended the process for what it did."""
-        return self.ended not in ("", LATE, FULL) and not self.ended.startswith(STATUS)
+        return self.ended not in ("", LATE, *TOO_MUCH) and not self.ended.startswith(STATUS)
 
     @property
     def line(self) -> int:
         """The line of the program at which its process crashed; 0 if that is not known."""
-        found = re.search(rf'File "{re.escape(self.path)}", line (\d+)', self.errors)
+        # The program may write there, too: no more digits than a file has lines.
+        found = re.search(rf'File "{re.escape(self.path)}", line (\d{{1,7}})\b', self.errors)
         return int(found[1]) if found else 0
 
 

@@ -1,7 +1,8 @@
 """The sandbox's waiting process, which forks for each program (see sandbox.py).
 
-It answers each line of standard input, a list of jobs, by a line that says how each of them ended,
-and then by what each of them sent.
+Each line of standard input, a list of jobs, is answered by a line that says how each of them ended,
+and then by what each of them sent. A copy of the waiting process does it, and ends: so a program,
+which is a copy, too, finds nothing in its memory of those before it.
 """
 
 import contextlib
@@ -11,9 +12,11 @@ import select
 import sys
 import tempfile
 import time
+import traceback
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, NoReturn
 
 from framelens.system import limits
 from landscape.course.grader.confinement import LANDLOCK
@@ -22,6 +25,8 @@ from landscape.course.grader.sandbox import (
     FULL,
     GRACE,
     LOOK,
+    MOST_THREADS,
+    MUCH,
     NOT_OPENED,
     Job,
     ended,
@@ -51,7 +56,7 @@ def serve(contain: str) -> None:
     limits.end_with(os.getppid())
     limits.adopt_orphans()
     # Programs inherit the numbers 0 and 1, which must not lead to whoever asks.
-    asked, replies = os.fdopen(os.dup(0)), os.fdopen(os.dup(1), "wb")
+    asked, replies = os.dup(0), os.dup(1)
     discard = os.open(os.devnull, os.O_RDWR)
     for number in range(2):
         os.dup2(discard, number)
@@ -60,23 +65,47 @@ def serve(contain: str) -> None:
         # The driver of a graphics card may need what a contained program has not.
         if ours.contained == LANDLOCK and ours.backend != "osmesa" and not _opens(ours):
             ours.give_up(NOT_OPENED)
-        for line in asked:
-            if ours.no_opengl or ours.uncontained:
-                word = "no_opengl" if ours.no_opengl else "uncontained"
-                answer: dict[str, Any] = {word: ours.no_opengl or ours.uncontained}
-                running = []
-            else:
-                running = _run(json.loads(line), ours)
-                how = [(each.reason, len(each.data), each.said) for each in running]
-                answer = {"contained": ours.contained, "ended": how}
-            replies.write(json.dumps(answer).encode() + b"\n")
-            for each in running:
-                replies.write(each.data)
-            replies.flush()
-            # The next programs are copies of this process: they must not have what others sent.
-            for each in running:
-                each.forget()
-            running = []
+        line = select.poll()
+        line.register(asked, select.POLLIN)
+        while all(event & select.POLLIN for _, event in line.poll()):
+            us = os.getpid()
+            pid = os.fork()
+            if pid == 0:
+                _answer_and_leave(us, asked, replies, ours)
+            status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+            if status:
+                sys.exit(f"the process that answers ended ({ended(status, False)})")
+
+
+def _answer_and_leave(parent: int, asked: int, replies: int, ours: Prepared) -> NoReturn:
+    """Answer a line, in a process of its own, which ends."""
+    status = 1
+    try:
+        limits.end_with(parent)
+        limits.adopt_orphans()
+        line = b""
+        while not line.endswith(b"\n"):
+            line += os.read(asked, PART)
+        with os.fdopen(replies, "wb") as file:
+            file.writelines(_answers(line, ours))
+        status = 0
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        os._exit(status)
+
+
+def _answers(line: bytes, ours: Prepared) -> Iterator[bytes]:
+    """Yield the parts of the answer to a line."""
+    if ours.no_opengl or ours.uncontained:
+        word = "no_opengl" if ours.no_opengl else "uncontained"
+        yield json.dumps({word: ours.no_opengl or ours.uncontained}).encode() + b"\n"
+        return
+    found = _run(json.loads(line), ours)
+    how = [(each.reason, len(each.data), each.said) for each in found]
+    yield json.dumps({"contained": ours.contained, "ended": how}).encode() + b"\n"
+    for each in found:
+        yield bytes(each.data)
 
 
 def _opens(ours: Prepared) -> bool:
@@ -100,6 +129,7 @@ class _Running:
     pipe: int
     errors: IO[bytes]
     folder: Path
+    megabytes: int
     deadline: float
     looked: float = field(default_factory=time.monotonic)
     data: bytearray = field(default_factory=bytearray)
@@ -119,24 +149,30 @@ class _Running:
         """Return whether the process has not ended: one that it has started may hold the pipe."""
         return os.waitid(os.P_PID, self.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None
 
-    def overfull(self) -> bool:
-        """Look from time to time whether the program writes more files than it may."""
+    def takes_too_much(self) -> bool:
+        """Look from time to time whether the program takes more than it may of what has no limit.
+
+        That are its files together, its threads, and memory that is shared.
+        """
         if time.monotonic() - self.looked < LOOK:
             return False
         self.looked = time.monotonic()
         if overfull(self.folder, deleted_bytes(self.pid, self.folder, FILE_BYTES)):
             self.reason = FULL
-        return self.reason == FULL
-
-    def forget(self) -> None:
-        """Overwrite what was sent, and drop it."""
-        self.data[:] = bytes(len(self.data))
-        self.data.clear()
+        threads, shared = _holds(self.pid)
+        if threads > MOST_THREADS or shared > self.megabytes << 20:
+            self.reason = MUCH
+        return self.reason != ""
 
     def end(self, late: bool) -> None:
         """End the process, if it has not ended, and note how it did."""
         limits.end_group(self.pid)
         status = os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
+        # What it sent between the last look at the pipe and its end; others may hold the pipe open.
+        os.set_blocking(self.pipe, False)
+        with contextlib.suppress(BlockingIOError):
+            while not self.reason and self.read():
+                pass
         self.reason = self.reason or ended(status, late)
         os.close(self.pipe)
         with self.errors:
@@ -154,7 +190,7 @@ def _run(jobs: list[dict[str, Any]], ours: Prepared) -> list[_Running]:
         for each in list(running):
             late = time.monotonic() >= each.deadline
             goes_on = each.read() if each.pipe in ready else each.lives()
-            if goes_on and not late and not each.overfull():
+            if goes_on and not late and not each.takes_too_much():
                 continue
             each.end(late and goes_on)
             running.remove(each)
@@ -176,7 +212,21 @@ def _begin(job: dict[str, Any], ours: Prepared) -> _Running:
         run_program(job, us, ours, answers, errors.fileno())
     os.close(answers)
     deadline = time.monotonic() + job["seconds"] + GRACE
-    return _Running(pid, pipe, errors, Path(job["folder"]), deadline)
+    return _Running(pid, pipe, errors, Path(job["folder"]), job["megabytes"], deadline)
+
+
+def _holds(pid: int) -> tuple[int, int]:
+    """Return how many threads a process has, and the bytes of memory that it shares.
+
+    Files that it maps are not among them.
+    """
+    found = {"Threads": 0, "RssShmem": 0}
+    with contextlib.suppress(OSError):
+        for line in Path(f"/proc/{pid}/status").read_text(errors="replace").splitlines():
+            name, _, value = line.partition(":")
+            if name in found:
+                found[name] = int(value.split()[0])
+    return found["Threads"], found["RssShmem"] << 10
 
 
 if __name__ == "__main__":

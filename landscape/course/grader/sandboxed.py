@@ -20,7 +20,13 @@ from typing import Any
 from framelens.system import containment, limits
 from landscape.course.grader import confinement, shader_cache
 from landscape.course.grader.confinement import LANDLOCK, NONE, PYTHON, REQUIRE
-from landscape.course.grader.sandbox import FILE_BYTES, GRACE, NEEDS_SCREEN, NO_SYSTEM
+from landscape.course.grader.sandbox import (
+    FILE_BYTES,
+    GRACE,
+    MOST_OPEN,
+    NEEDS_SCREEN,
+    NO_SYSTEM,
+)
 from landscape.course.grader.stream import send
 
 # What each program needs, imported once.
@@ -120,6 +126,7 @@ def run_program(
         tempfile.tempdir = str(folder)
         os.environ.update(dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(folder)))
         limits.limit_work(int(job["seconds"] + GRACE) + 1, FILE_BYTES)
+        limits.limit_open_files(MOST_OPEN)
         limits.limit_memory(limits.used() + (job["megabytes"] << 20))
         if ours.backend == "osmesa":
             limits.limit_addresses(

@@ -38,6 +38,7 @@ SENTENCES: Texts = {
     "ended": "ended in frame {frames}: it must go on until its window is closed",
     "late": "did not end within {seconds:g} s, and could not be interrupted",
     "full": "writes more into files, or draws larger pictures, than an exercise needs",
+    "much": "takes more threads, or shared memory, than an exercise needs",
     "crashed": "the program crashed ({signal})",
     "crashed_at": "line {line}: the program crashed ({signal}): OpenGL reads arrays as far as it "
     "is told, even beyond their end",
@@ -54,6 +55,7 @@ SENTENCES: Texts = {
 }
 
 
+MOST_LINES = 10**7  # chosen: of a program
 LONGEST = 400  # chosen: characters of a sentence
 
 
@@ -64,9 +66,21 @@ def sentence(error: Mapping[str, Any], _: Translator) -> str:
 
 
 def known(error: Any) -> bool:
-    """Return whether an error has a known word and the values of its sentence."""
+    """Return whether an error has a known word and the values of its sentence.
+
+    A program may have sent another one: all its values are to be short texts or numbers, and its
+    line one that a file may have.
+    """
+    if not isinstance(error, dict) or not _is_line(error.get("line", 0)):
+        return False
+    if not all(type(each) in (str, int, float) for each in error.values()):
+        return False
     try:
         sentence({"seconds": 0.0, "megabytes": 0, **error}, lambda text, context="": text)
     except (AttributeError, LookupError, TypeError, ValueError):
         return False
     return True
+
+
+def _is_line(value: Any) -> bool:
+    return type(value) is int and 0 <= value < MOST_LINES

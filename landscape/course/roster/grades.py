@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from framelens.base.errors import InputError, UnexpectedError
+from framelens.base.errors import InputError, NoOpenGLError, UnexpectedError
 from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import png
 from framelens.base.texts import said, translator
@@ -158,9 +158,18 @@ def grade(rules: Rules, data: bytes) -> tuple[dict[str, Any], bytes]:
 
     try:
         text, picture = recall([key, data], make, fresh=rules.again)
-    except UnexpectedError as error:  # as a program can provoke: the others are graded all the same
-        return {"error": " ".join(str(error).split())[:LONGEST]}, b""
+    except NoOpenGLError:
+        raise
+    # As a program can provoke: the others are graded all the same.
+    except Exception as error:
+        return {"error": _defect(error)}, b""
     return dict(json.loads(text.tobytes())), picture.tobytes()
+
+
+def _defect(error: Exception) -> str:
+    """Return a defect of the grader in one line."""
+    text = str(error) if isinstance(error, UnexpectedError) else f"{type(error).__name__}: {error}"
+    return " ".join(text.split())[:LONGEST]
 
 
 def _code(shelf: Shelf, language: str) -> bytes:

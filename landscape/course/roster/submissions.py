@@ -17,7 +17,7 @@ from datetime import datetime, timedelta
 from pathlib import Path, PurePosixPath
 
 from framelens.base.errors import InputError, reason
-from framelens.base.input import read_bounded
+from framelens.base.input import check_plain, read_bounded
 from landscape.course.roster.moodle import participant
 from landscape.course.shelf import MOST_BYTES
 
@@ -112,6 +112,9 @@ def _of_folder(folder: Path, room: _Room) -> Iterator[File]:
         try:
             changed = datetime.fromtimestamp(path.stat().st_mtime)
             if path.suffix.lower() in KINDS:
+                if path.is_symlink():  # to another student's program, or one of the lecturer's
+                    raise InputError("{path}: expected a file, found a link", path=path)
+                check_plain(path, MOST_BYTES)  # a pipe would let all others wait
                 data = read_bounded(path, MOST_BYTES)
         except InputError as error:
             yield name, None, datetime.min, error

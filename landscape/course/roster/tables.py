@@ -13,7 +13,8 @@ from landscape.course.roster.grades import Row
 
 COLUMNS = [field.name for field in fields(Row) if field.name != "tests"]
 # A spreadsheet takes a cell that begins so for a formula, and it is the student who wrote it.
-FORMULAS = ("=", "+", "-", "@", "\t", "\r")
+# Some take the wide forms of East Asia, too.
+FORMULAS = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 
 
 def as_csv(rows: Sequence[Row]) -> bytes:
