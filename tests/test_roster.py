@@ -102,7 +102,6 @@ def test_files_folders_and_a_folder_around_all_are_submissions_of_who_is_named(
         submissions([tmp_path / "empty"])
 
 
-@pytest.mark.parametrize("name", ["../out.py", "/etc/out.py", "a/../../out.py", "..\\out.py"])
 @pytest.mark.posix_only("links and pipes")
 def test_links_and_pipes_in_a_folder_are_refused_at_once(tmp_path: Path) -> None:
     for name in ("ada", "bob", "eve"):
@@ -116,6 +115,7 @@ def test_links_and_pipes_in_a_folder_are_refused_at_once(tmp_path: Path) -> None
     assert eve.data is None and "found a pipe" in str(eve.error)
 
 
+@pytest.mark.parametrize("name", ["../out.py", "/etc/out.py", "a/../../out.py", "..\\out.py"])
 def test_a_zip_with_a_name_outside_of_itself_is_refused(name: str, tmp_path: Path) -> None:
     path = zipped(tmp_path / "class.zip", {name: "x"})
     with pytest.raises(InputError, match="has a file outside of itself"):
