@@ -62,6 +62,7 @@ BEST: dict[str, Value] = {
     "water.caustics": True,
     "water.under": True,
     "water.foam": True,
+    "water.run_up": True,
     "water.query": True,
     "water.fresnel": True,
     "water.horizon": 400.0,

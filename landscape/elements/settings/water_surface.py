@@ -153,6 +153,12 @@ class Water:
         ),
     )
     foam: bool = setting(False, "chosen", "a wash of foam along the shore", needs=("water",))
+    run_up: bool = setting(
+        False,
+        "chosen",
+        "waves climb the sand and drain, and leave lace and wet sand",
+        needs=("water", "water.foam"),
+    )
     query: bool = setting(
         False,
         "chosen",

@@ -13,6 +13,7 @@ State used: two texture units, a texture matrix, GL_BLEND, no lighting or depth 
 import math
 
 import numpy as np
+from PIL import Image
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, combine, matrix
@@ -44,6 +45,8 @@ FACING = 0.2  # chosen: cosine of the angle at which the sun shines on it, whate
 FADING, FARTHEST = 13.0, 18.0  # chosen: units away at which foam begins to fade, and is gone
 ENDS = 1.7  # chosen: widths from the shoreline beyond which there is none
 ASHORE = 0.06  # chosen: units of land that waves may cover
+PATCH = 0.3  # chosen: units, size of the patches of foam at an edge that waves run over
+LEFT = 0.55  # chosen: fraction of the foam at the edge that is left in such a patch
 NEARBY = 0.5  # chosen: units within which distances from foam are known
 
 
@@ -210,26 +213,59 @@ class Wash:
         self._texture.release()
 
 
-def shore_wash(field: HeightField) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
-    """Return what :func:`wash` does for each texel of the map, and how far from foam it is."""
+def shore_shape(field: HeightField) -> tuple[np.ndarray, np.ndarray]:
+    """Return each texel's distance from the shoreline, positive on the water, and its slope.
+
+    Both float32 (TEXELS, TEXELS); a slope is that of the nearest piece of the shoreline, averaged
+    along it, 0 where there is none.
+    """
 
     def make() -> tuple[np.ndarray, ...]:
         distance, slope = shore_map(field)
         return distance.astype(np.float32), averaged(spread(slope, SMOOTH)).astype(np.float32)
 
     distance, slope = recall(("foam", *field.made_from), make)
+    return distance, slope
+
+
+def broken(edge: np.ndarray, size: float) -> np.ndarray:
+    """Return the foam that stays, (n, n), in patches: what the last wave has not left is gone.
+
+    ``size`` is the map's side in units.
+    """
+    knots = max(int(size / PATCH), 2)
+    coarse = np.random.default_rng(1912).uniform(0.0, 1.0, (knots, knots)).astype(np.float32)
+    fine = Image.fromarray(coarse).resize(edge.shape, Image.Resampling.BICUBIC)
+    kept = LEFT * np.clip(1.6 * np.asarray(fine) - 0.4, 0.0, 1.0)
+    return np.asarray(TROUGH + (edge - TROUGH) * np.where(edge > TROUGH, kept, 1.0))
+
+
+def shore_wash(
+    field: HeightField, run_up: bool = False
+) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
+    """Return what :func:`wash` does for each texel of the map, and how far from foam it is.
+
+    With ``run_up`` the foam that stays at the edge is broken, as waves climb the sand (run_up.py).
+    """
+    distance, slope = shore_shape(field)
     along, some = np.linspace(0.0, ENDS, 500), np.array(STEEP)
     swell, _, edge = wash(along * widths(some), some)
     apart = np.maximum(distance - last_foam(along, swell, edge) * widths(slope), -ASHORE - distance)
-    return wash(distance, slope), apart
+    swell, phase, edge = wash(distance, slope)
+    return (swell, phase, broken(edge, field.size) if run_up else edge), apart
 
 
 class Foam:
     """The foam along all shores, and around the dragon; Sea draws it with its own vertices."""
 
-    def __init__(self, field: HeightField, rings: Rings | None = None) -> None:
-        """Make the textures; with ``rings``, also those around the dragon."""
-        self._washes = [Wash(*shore_wash(field), size=field.size)]
+    def __init__(
+        self, field: HeightField, rings: Rings | None = None, run_up: bool = False
+    ) -> None:
+        """Make the textures; with ``rings``, also those around the dragon.
+
+        With ``run_up`` the foam at the shoreline is broken.
+        """
+        self._washes = [Wash(*shore_wash(field, run_up), size=field.size)]
         if rings is not None:
             self._washes.append(Wash(*rings))
         white = np.full((LACE, LACE, 4), 255, np.uint8)

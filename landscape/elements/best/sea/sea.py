@@ -7,7 +7,8 @@ them (eye_grid.py). A sum of small waves gives each vertex its normal, its heigh
 (mirror_image.py). With ``water.fresnel`` the alpha of each vertex follows the angle of view: the
 water's own colour from above, a mirror in the distance. With ``water.sheltered`` the waves are
 lower near land (shelter.py). ``water.shallow`` shows the bottom through shallow water
-(shallows.py), ``water.glitter`` adds the sun's glints (glitter.py).
+(shallows.py), ``water.glitter`` adds the sun's glints (glitter.py), ``water.run_up`` lets waves
+climb the sand (run_up.py).
 Without ``reflection.rippled`` the mirror image is in the framebuffer, and the grid is blended over
 it as the patches are. Where there are too few texture units for water and image at once, the image
 is drawn first, too (mirror_pass.py).
@@ -31,6 +32,7 @@ from landscape.elements.best.sea.glitter import Glitter
 from landscape.elements.best.sea.mirror_image import MirrorImage, Taken, mirror_unit
 from landscape.elements.best.sea.mirror_pass import draw_mirror
 from landscape.elements.best.sea.ripples import Ripples
+from landscape.elements.best.sea.run_up import RunUp
 from landscape.elements.best.sea.serpent_wash import rings_around
 from landscape.elements.best.sea.shallows import (
     TEXELS,
@@ -154,7 +156,7 @@ class Sea(Element[Settings]):
         """Return the values that the constructor uses."""
         water = settings.water
         looks = water.trilinear, water.lod_bias, water.shallow, water.sheltered
-        foam = serpent_wash.built_from(settings) if water.foam else None
+        foam = (serpent_wash.built_from(settings), water.run_up) if water.foam else None
         rippled = ripples.built_from(settings) if rippling(settings) else None
         return water.level, *looks, foam, water.glitter > 0, rippled
 
@@ -182,7 +184,10 @@ class Sea(Element[Settings]):
             if settings.water.shallow and possible("water.shallow"):
                 self._shallows = Shallows(depths, field.size)
 
-        self._foam = Foam(field, rings) if settings.water.foam else None
+        water = settings.water
+        self._foam = Foam(field, rings, water.run_up) if water.foam else None
+        climbing = water.foam and water.run_up and possible("water.foam")
+        self._run_up = RunUp(field) if climbing else None
         self._glitter = Glitter() if settings.water.glitter > 0 else None
 
     def mark(self) -> None:
@@ -191,7 +196,7 @@ class Sea(Element[Settings]):
 
     def draw(self, frame: Frame) -> None:
         """Draw the surface, mixed with the mirror texture or blended over the framebuffer."""
-        mirror = self.mirror.take()
+        mirror = image = self.mirror.take()
         water = self.settings.water
         grid = self._grid(frame)
         if grid is None:
@@ -230,6 +235,8 @@ class Sea(Element[Settings]):
             if self._foam is not None:
                 with self._clearer_fog(grid):
                     self._foam.draw(frame, self.settings, grid, vertices, places)
+            if self._run_up is not None:
+                self._run_up.draw(frame, self.settings, image)
             if self._glitter is not None:
                 surface, slopes = (vertices, places), (slope_x, slope_z)
                 self._glitter.draw(frame, self.settings, grid, surface, slopes)
@@ -330,6 +337,7 @@ class Sea(Element[Settings]):
     def release(self) -> None:
         """Delete what was made; may be called twice."""
         owned = self._ripples, self._texture, self._shallows, self._foam, self._glitter
+        owned = *owned, self._run_up
         for owner in (self.mirror, *owned):
             if owner is not None:
                 owner.release()
