@@ -148,6 +148,7 @@ SHOTS = {
     "water.under": Shot(Pose(11.25, 0.2, 30.0, 340.0, 14.0), ("ground", "water")),
     "water.shallow": of_fix("best1"),
     "water.foam": of_fix("best2"),
+    "water.run_up": of_fix("best2", settings={**of_fix("best2").settings, "water.foam": True}),
     "water.ripples": of_fix("best1", value=0.5),
     "water.horizon_contrast": Shot(SEA, ("water", "fog"), {"water.horizon": 400.0}, 0.5),
     "water.caustics": Shot(

@@ -77,7 +77,7 @@ def foam_at(place: np.ndarray, time: float, height: float) -> np.ndarray:
     drained = (time - RISING) / (1.0 - RISING)
     film = 0.34 * (1.0 - drained) ** 0.6
     left = 0.36 * (1.0 - drained) ** 1.3 * np.exp(-np.maximum(height - place, 0.0) / 0.5)
-    mark = 0.4 * (1.0 - drained) ** 0.6 * np.exp(-np.square((height - 0.02 - place) / 0.025))
+    mark = 0.26 * (1.0 - drained) * np.exp(-np.square((height - 0.05 - place) / 0.05))
     foam = np.where(place < edge, film, left) + mark
     return np.asarray(np.where(place < height, foam, 0.0))
 
@@ -114,9 +114,9 @@ def diagram() -> Diagram:
 def reaches(slope: np.ndarray, x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return how far waves run up at places x, z, in units, by the slope of the shore there."""
     ragged = np.sin(4.1 * x + 1.3 * np.sin(2.3 * z)) * np.sin(3.7 * z - 1.1 * np.sin(2.9 * x))
-    fine = np.sin(13.0 * x + 2.0 * np.sin(7.0 * z)) * np.sin(11.0 * z + 3.0)
+    fine = np.sin(13.0 * x + 2.0 * np.sin(9.0 * z)) * np.sin(14.0 * z + 2.0 * np.sin(11.0 * x))
     level = np.minimum(HEIGHT / np.maximum(slope, 1e-3), LONGEST)
-    return np.asarray(level * (1.0 + UNEVEN * (0.65 * ragged + 0.35 * fine)))
+    return np.asarray(level * (1.0 + UNEVEN * (0.55 * ragged + 0.45 * fine)))
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ def tiles(field: HeightField) -> list[Tile]:
 def weed_band() -> np.ndarray:
     """Return the density of weed across the beach, (ACROSS,) of 0..0.5, none but at WEED_AT."""
     place = FIRST + (np.arange(ACROSS) + 0.5) / ACROSS * (LAST - FIRST)
-    return 0.3 * np.exp(-np.square((place - WEED_AT) / 0.08))
+    return 0.42 * np.exp(-np.square((place - WEED_AT) / 0.09))
 
 
 def picture(colour: np.ndarray, alpha: np.ndarray) -> np.ndarray:
@@ -346,6 +346,4 @@ def send(tile: Tile, colors: np.ndarray | None, layers: list[np.ndarray]) -> Non
     if colors is None:
         gl.glColor4f(1.0, 1.0, 1.0, 1.0)
     with client_arrays(tile.vertices, None, colors, layers):
-        gl.glDrawElements(
-            gl.GL_TRIANGLES, tile.triangles.size, gl.GL_UNSIGNED_INT, tile.triangles
-        )
+        gl.glDrawElements(gl.GL_TRIANGLES, tile.triangles.size, gl.GL_UNSIGNED_INT, tile.triangles)

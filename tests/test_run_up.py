@@ -1,0 +1,60 @@
+"""Run-up: waves climb fast and drain slowly, sand dries more slowly than it wets."""
+
+import numpy as np
+from seaside import LEVEL, beach, drawn
+from stage import Stage
+
+from landscape.elements.best.sea import run_up
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+
+DOWN = Pose(20.0, 1.6, 19.9, 0.0, -89.9)
+WASH = {"water.textured": False, "water.foam": True}
+
+
+def test_a_wave_rises_in_less_time_than_it_drains() -> None:
+    time = np.linspace(0.0, 1.0, 200)
+    reach = run_up.front(time)
+    assert reach[0] < 0.01 and reach[-1] < 0.01 and reach.max() > 0.99
+    assert time[reach.argmax()] < 0.4
+
+
+def test_sand_dries_more_slowly_than_it_wets() -> None:
+    wet = run_up.diagram().wet
+    column = round((0.5 - run_up.FIRST) / (run_up.LAST - run_up.FIRST) * run_up.ACROSS)
+    change = np.diff(wet[:, column], append=wet[0, column])
+    assert change.max() > 5 * -change.min() > 0.0
+    assert abs(wet[-1] - wet[0]).max() < 0.1  # the last row continues in the first
+
+
+def test_lace_is_left_above_the_water_that_has_drained() -> None:
+    place = np.linspace(0.0, 1.0, 101)
+    rising, draining = run_up.foam_at(place, 0.1, 1.0), run_up.foam_at(place, 0.6, 1.0)
+    edge = run_up.front(np.array([0.1, 0.6]))
+    assert not rising[place > edge[0]].any()
+    assert draining[place > edge[1] + 0.02].min() > 0.0
+
+
+def test_waves_reach_farther_on_a_level_beach_and_leave_cliffs_alone() -> None:
+    x, z = np.zeros(1), np.zeros(1)
+    assert run_up.reaches(np.array([0.1]), x, z) > 2 * run_up.reaches(np.array([0.4]), x, z)
+    assert len(run_up.tiles(beach(slope=0.15))) > 5
+    assert not run_up.tiles(beach(slope=2.0))
+
+
+def test_the_strip_lies_on_the_sand_and_on_the_water() -> None:
+    field = beach()
+    for tile in run_up.tiles(field):
+        x, y, z = tile.vertices.T
+        ground = np.maximum(field.terrain_height(x, z), LEVEL)
+        assert (y > ground).all() and (y < ground + 0.01).all()
+
+
+def test_foam_climbs_the_land_and_moves(stage: Stage, plain: Assets) -> None:
+    def shown(kt: float, climbing: bool) -> np.ndarray:
+        changes = {**WASH, "water.run_up": climbing}
+        return drawn(stage, plain, changes, DOWN, kt)[0].astype(float)
+
+    first, later, without = shown(30.0, True), shown(90.0, True), shown(30.0, False)
+    assert (np.abs(first - without).max(axis=2) > 12).sum() > 200
+    assert (np.abs(first - later).max(axis=2) > 12).sum() > 200
