@@ -337,7 +337,6 @@ class Sea(Element[Settings]):
     def release(self) -> None:
         """Delete what was made; may be called twice."""
         owned = self._ripples, self._texture, self._shallows, self._foam, self._glitter
-        owned = *owned, self._run_up
-        for owner in (self.mirror, *owned):
+        for owner in (self.mirror, *owned, self._run_up):
             if owner is not None:
                 owner.release()
