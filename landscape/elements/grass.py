@@ -166,7 +166,14 @@ class Grass(Element[Settings]):
         return (
             *(ground.scale_x, ground.scale_z),
             *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
-            *(ground.subdivide, ground.exact_height, settings.water.level, castle.x, castle.z),
+            *(
+                ground.subdivide,
+                ground.exact_height,
+                ground.ledges,
+                settings.water.level,
+                castle.x,
+                castle.z,
+            ),
             *(grass.count, grass.scale),
         )
 

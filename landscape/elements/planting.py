@@ -131,6 +131,12 @@ def site(settings: Settings) -> tuple[object, ...]:
     return (
         *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y),
-        *(ground.smooth, ground.subdivide, ground.exact_height, settings.water.level),
+        *(
+            ground.smooth,
+            ground.subdivide,
+            ground.exact_height,
+            ground.ledges,
+            settings.water.level,
+        ),
         *(castle.x, castle.z, rabbit.x, rabbit.z, rabbit.scale),
     )

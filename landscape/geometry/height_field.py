@@ -64,6 +64,11 @@ class HeightField:
         how = repr((self.heights.shape, self.size, self.water_level, self.exact))
         return how, self.heights.tobytes()
 
+    @property
+    def broad(self) -> "HeightField":
+        """The field without what is finer than its cells: itself, as it has nothing finer."""
+        return self
+
     def terrain_height(self, x: np.ndarray | float, z: np.ndarray | float) -> np.ndarray:
         """Return the ground's height at x, z in units, the sea floor included; clamped outside."""
         n = len(self.heights)

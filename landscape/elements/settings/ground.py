@@ -222,6 +222,15 @@ class Ground:
         unit="stones",
         needs=("ground", "ground.materials", "ground.units=both"),
     )
+    ledges: float = setting(
+        0.0,
+        "chosen",
+        "how far steep rock stands out in ledges, gullies and knobs finer than the height field",
+        0,
+        2,
+        unit="of 1",
+        needs=("ground.materials", "ground.units=both", "ground.tiles>1", "ground.exact_height"),
+    )
     wet: bool = setting(
         False,
         "chosen",

@@ -65,7 +65,7 @@ def patches(seed: int, cells: int, size: float) -> Chance:
 
 def downhill(ground: Ground, x: np.ndarray, z: np.ndarray, reach: float) -> np.ndarray:
     """Return the gradient dy/dx, dy/dz (n, 2) over ``reach`` units to each side."""
-    h = ground.terrain_height
+    h = ground.field.broad.terrain_height
     along_x, along_z = h(x + reach, z) - h(x - reach, z), h(x, z + reach) - h(x, z - reach)
     return np.stack([along_x, along_z], axis=1) / (2.0 * reach)
 
@@ -138,7 +138,7 @@ class Rules:
         free &= np.hypot(x - rabbit.x, z - rabbit.z) > 3.0 * rabbit.scale
         free &= np.minimum.reduce([x, z, ground.size - x, ground.size - z]) > 0.5
 
-        above = ground.terrain_height(x, z) - self._settings.water.level
+        above = ground.field.broad.terrain_height(x, z) - self._settings.water.level
         slope = np.hypot(*fall.T)
         return above, slope, 1.0 - greenness(colour), rock_share(normals, colour), free
 
@@ -178,7 +178,7 @@ def strewn(settings: Settings, ground: Ground, seed: int) -> Stones:
     for kind, rule in rules(settings, ground, seed).items():
         count = round(SHARES[kind] * settings.ground.stones)
         beside = round(BESIDE * count) if kind == STONE and parts else 0
-        found = scatter(ground.field, count - beside, rng, rule)[:, [0, 2]]
+        found = scatter(ground.field.broad, count - beside, rng, rule)[:, [0, 2]]
         if beside:
             found = np.concatenate([found, around(parts, beside, ground, settings, rng)])
         low, high = RADII[kind]
@@ -208,7 +208,7 @@ def around(
     one = rng.integers(len(places), size=count)
     way, away = rng.uniform(0, 2 * np.pi, count), radii[one] * rng.uniform(0.8, 2.4, count)
     found = places[one] + away[:, None] * np.stack([np.cos(way), np.sin(way)], axis=1)
-    return found[ground.terrain_height(*found.T) > settings.water.level - 0.06]
+    return found[ground.field.broad.terrain_height(*found.T) > settings.water.level - 0.06]
 
 
 def lying(

@@ -59,7 +59,13 @@ def made_from(settings: Settings) -> tuple[object, ...]:
     return (
         *(ground.scale_x, ground.scale_z),
         *(ground.height_image, ground.resolution, ground.size, ground.scale_y, ground.smooth),
-        *(ground.subdivide, ground.exact_height, ground.large_texture, ground.texture_size),
+        *(
+            ground.subdivide,
+            ground.exact_height,
+            ground.ledges,
+            ground.large_texture,
+            ground.texture_size,
+        ),
         *(ground.stones, ground.rock_texture, settings.water.level, settings.sun),
         *(castle.x, castle.z, rabbit.x, rabbit.z, rabbit.scale),
     )

@@ -6,7 +6,8 @@ texture units (materials.py), and the shore has its colours where it is drawn (s
 of the sward (verdure.py); with ``ground.clouds`` clouds shade the land (cloud_shade.py). With
 ``ground.tiles`` above 1 the mesh is cut into square display lists (tiles.py); those outside the
 view frustum are not called, and the mirror image uses coarser ones. With ``ground.low_stretch``
-details keep their scale on slopes; with ``ground.shadows`` the shadows of what stands on the ground
+details keep their scale on slopes; ``ground.ledges`` gives steep rock a finer relief
+(ledges.py, rock_faces.py); with ``ground.shadows`` the shadows of what stands on the ground
 are baked into the large texture (shadows.py); ``water.caustics`` lays a net of light over the bed
 of shallow water (bed_light.py). Not in the report.
 State used: as the ground, with four texture units, seven under shallow water; GL_CULL_FACE; the
@@ -27,6 +28,7 @@ from landscape.elements.best.sea.shallows import cut_level, submerged
 from landscape.elements.best.terrain import ASKED_BY, bed_light
 from landscape.elements.best.terrain.bed_light import BedLight, under_net
 from landscape.elements.best.terrain.cloud_shade import cloud_cover, clouds_shade
+from landscape.elements.best.terrain.ledges import LedgedField, relief
 from landscape.elements.best.terrain.materials import (
     ROCK,
     SAND,
@@ -40,6 +42,7 @@ from landscape.elements.best.terrain.materials import (
     turf_range,
 )
 from landscape.elements.best.terrain.relief import relief_light
+from landscape.elements.best.terrain.rock_faces import CLOSER, RockFaces, blocks, grain, with_grain
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
@@ -49,12 +52,13 @@ from landscape.elements.best.terrain.wet import dampened, wet_texels
 from landscape.elements.ground import Ground, chosen, has_no_colours, lay_units, leave_units
 from landscape.elements.settings import Ground as GroundSettings
 from landscape.elements.settings import Settings
+from landscape.elements.sun import direction
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights, read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import boxes_in_view
-from landscape.geometry.height_field import ground_mesh, laid_over, lookup
+from landscape.geometry.height_field import HeightField, ground_mesh, laid_over, lookup
 from landscape.geometry.low_stretch import low_stretch_uv
 from landscape.geometry.mesh import Mesh
 from landscape.gl.display_list import DisplayList, call_lists
@@ -87,8 +91,10 @@ class Terrain(Ground):
     def _build(self, ground: GroundSettings, assets: Assets) -> None:
         """Make the layers, build the mesh with their coordinates and compile its tiles."""
         self._light: np.ndarray | None = None
+        self._faces: RockFaces | None = None
         self._tiles: dict[int, dict[int, DisplayList]] = {}  # by their labels and numbers
         self._looks, self._mirrored = list[DisplayList](), list[DisplayList]()
+        self._ledged = self._with_ledges(ground)
         painted = ground.materials and ground.units == "both"
         self._mixed = painted and possible("ground.materials")
         self._drawn = self._with_shore(ground, assets) if painted else self.large
@@ -116,6 +122,8 @@ class Terrain(Ground):
 
         self._bed = BedLight.made(self.settings, assets)
         self._compile(mesh, [texture for texture, _ in layers], ground.tiles)
+        if self._ledged is not None and self._mixed and self._tiles:
+            self._faces = self._rock_faces(self._ledged, mesh, assets)
 
     def _texture(self, image: np.ndarray, repeat: bool = True) -> Texture:
         """Make a texture that is released with the ground, as sharp as ``ground.lod_bias`` says."""
@@ -128,6 +136,36 @@ class Terrain(Ground):
         blended = levels is image
         self._textures.append(Texture(levels, repeat, blended, bias))
         return self._textures[-1]
+
+    def _with_ledges(self, ground: GroundSettings) -> LedgedField | None:
+        """Put a relief on the rock of the height field, if it is asked for, and return it."""
+        wanted = ground.ledges and ground.exact_height and ground.tiles > 1
+        if not wanted or not ground.materials or not possible("ground.ledges"):
+            return None
+        field, large, strength = self.field, self.large, ground.ledges
+        what = "ledges", str(strength), *field.made_from, large.tobytes()
+        raised = recall(what, lambda: (relief(field, large, strength),))[0]
+        finer = HeightField(raised, field.size, field.water_level, exact=True)
+        self.field = LedgedField(
+            field.heights, field.size, field.water_level, field.exact, finer, strength
+        )
+        return self.field
+
+    def _rock_faces(self, field: LedgedField, mesh: Mesh, assets: Assets) -> RockFaces:
+        """Return what draws the rock's relief, with the grain of its texture."""
+        ground = self.settings.ground
+        path = assets.path(ground.rock_texture, "ground.rock_texture")
+        levels = grain(read_image(path, "RGB", ground.texture_size))
+        self._textures.append(Texture(levels))
+        repeats = ground.detail_repeat, ground.sand_repeat, ground.rock_repeat
+        rates = (
+            *(each / field.size for each in repeats),
+            0.0,
+            CLOSER * ground.rock_repeat / field.size,
+        )
+        sun = direction(self.settings.sun)
+        parts = blocks(field, with_grain(mesh), rates, self._labels(mesh), sun)
+        return RockFaces(parts, self._textures[-1])
 
     def _low_stretch(self) -> np.ndarray:
         """Return the details' texture coordinates, (n*n, 2), that keep their scale on slopes."""
@@ -314,6 +352,9 @@ class Terrain(Ground):
             return
         before, after = self._around
         before.call()
+        if self._faces is not None and not frame.mirrored:
+            with front_faces(self.settings.camera.cull):
+                self._faces.draw(frame)
         kept = self.tiles_in_view(frame).tolist()
         # Seen from above, land faces away only behind a crest, which hides it. The mirrored eye is
         # below the land, whose underside must hide what stands on it.
@@ -363,4 +404,6 @@ class Terrain(Ground):
         """Delete the lists and the textures; may be called twice."""
         if self._bed is not None:
             self._bed.release()
+        if self._faces is not None:
+            self._faces.release()
         super().release()

@@ -1,0 +1,267 @@
+"""The rock of ``ground.ledges`` as it is drawn: finer triangles over those of the height field.
+
+Each cell of the height field with a relief (ledges.py) has its own small grid, drawn before the
+broad ground, so that the depth test rejects what lies beneath. The mesh is cut into blocks, each
+with a display list per level of detail: all vertices, every second, every fourth; the block's
+distance decides. The units are the ground's four, and two more: unit 4 multiplies by the rock's
+texture once again, CLOSER times as often, so that there is a grain at arm's length; unit 5
+multiplies by the vertices' colour: the sun on ledges relative to the slope that the large texture
+has its light from, shadow in gullies and under edges, lichen on what faces up, streaks where water
+runs. Not in the report.
+Cost: no layer more (what is below is rejected), two look-ups on rock; up to 128 triangles a cell.
+State used: as the ground, with six texture units.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+from PIL import Image
+
+from framelens.gl.seam import gl
+from framelens.gl.state import combine
+from framelens.gl.texture import Texture, mip_levels
+from landscape.elements.best.terrain.ledges import FINER, LedgedField
+from landscape.elements.best.terrain.materials import ROCK, SAND, TURF, look_up
+from landscape.frame import Frame
+from landscape.geometry.culling import boxes_in_view
+from landscape.geometry.mesh import Mesh, grid_triangles
+from landscape.geometry.ramp import ramp
+from landscape.gl.display_list import DisplayList, call_lists
+from landscape.gl.draw import draw_mesh
+
+# All chosen.
+LEAST = 0.004  # units: a cell whose relief is nowhere higher has none
+BLOCK = 10  # cells along the side of a block
+LEVELS = ((1, 3.5), (2, 9.0), (4, np.inf))  # every how many-th vertex, up to which distance
+CLOSER = 4.3  # times as often is the rock's texture repeated in unit 4
+GRAIN_LEVELS = 6  # mip levels in which that grain fades out
+AMBIENT, SUNLIGHT = 0.42, 0.75  # light on rock in shadow, and the sun's on rock that faces it
+HOLLOW = ((3, 7.0), (10, 3.5))  # cells of the relief around, and how much a hollow darkens
+LICHEN = np.array([1.10, 1.09, 0.92])  # times the colour of the rock
+RUST = np.array([1.12, 0.98, 0.82])
+STREAK = np.array([0.66, 0.67, 0.70])
+
+
+def lights(field: LedgedField, sun: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return normals and colours of the relief's vertices, float32 (m, m, 3), colours 1 = as is.
+
+    ``sun`` (3,) points to it.
+    """
+    assert field.relief is not None
+    raised = field.relief.heights.astype(np.float64)
+    side = len(raised)
+    unit = field.size / (side - 1)
+    at = np.arange(side) * unit
+    broad = field.broad.terrain_height(at[None, :], at[:, None])
+
+    def normals(heights: np.ndarray) -> np.ndarray:
+        along_z, along_x = np.gradient(heights, unit)
+        found = np.stack([-along_x, np.ones_like(heights), -along_z], axis=2)
+        return np.asarray(found / np.linalg.norm(found, axis=2, keepdims=True))
+
+    def blurred(heights: np.ndarray, cells: float) -> np.ndarray:
+        image = Image.fromarray(heights.astype(np.float32))
+        small = image.resize((max(round(side / cells), 1),) * 2, Image.Resampling.BOX)
+        return np.asarray(small.resize((side, side), Image.Resampling.BICUBIC), np.float64)
+
+    fine = normals(broad + raised)
+    sunny, was = (
+        AMBIENT + SUNLIGHT * np.maximum(each @ sun, 0.0) for each in (fine, normals(broad))
+    )
+    factor = sunny / was
+    for cells, darker in HOLLOW:
+        factor *= np.clip(1.0 + darker * (raised - blurred(raised, cells)), 0.45, 1.3)
+    factor = factor[..., None] * np.ones(3)
+    rng = np.random.default_rng(82)
+    some, spots = (
+        np.asarray(
+            Image.fromarray(rng.random((n, n)).astype(np.float32)).resize(
+                (side, side), Image.Resampling.BICUBIC
+            )
+        )
+        for n in (220, 900)
+    )
+    up = ramp(0.62, 0.9, fine[..., 1]) * ramp(0.45, 0.75, 0.5 * some + 0.5 * spots)
+    factor *= 1.0 + up[..., None] * (LICHEN - 1.0)
+    factor *= 1.0 + (ramp(0.72, 0.9, spots) * ramp(0.4, 0.8, some))[..., None] * (RUST - 1.0)
+    hollow = ramp(0.0, -0.05, raised - blurred(raised, 14)) * ramp(0.85, 0.6, fine[..., 1])
+    factor *= 1.0 + hollow[..., None] * (STREAK - 1.0)
+    there = ramp(0.0, 0.03, raised)[..., None]
+    return fine.astype(np.float32), (1.0 + there * (factor - 1.0)).astype(np.float32)
+
+
+@dataclass(frozen=True)
+class Block:
+    """A square of rock: its meshes, the finest first, and its box's corners (3,)."""
+
+    meshes: tuple[Mesh, ...]
+    low: np.ndarray
+    high: np.ndarray
+    turf: bool
+
+
+def blocks(
+    field: LedgedField,
+    mesh: Mesh,
+    rates: tuple[float, ...],
+    labels: np.ndarray,
+    sun: np.ndarray,
+) -> list[Block]:
+    """Return the blocks of rock on a ground's ``mesh``, whose triangles have ``labels``.
+
+    ``rates`` is how often each texture of ``mesh`` is repeated per unit, 0 for the large one.
+    Texture coordinates and the share of rock are interpolated between the vertices of ``mesh``.
+    """
+    assert field.relief is not None
+    raised = field.relief.heights
+    cells = len(field.heights) - 1
+    highest = raised[:-1, :-1].reshape(cells, FINER, cells, FINER).max(axis=(1, 3))
+    used = highest > LEAST
+    soft = np.asarray((labels.reshape(cells, cells, 2) & (TURF | SAND)).any(axis=2))
+    normals, colours = lights(field, sun)
+    assert mesh.colors is not None
+    unit = field.size / (len(raised) - 1)
+    shares = mesh.colors[:, 3].reshape(cells + 1, cells + 1).astype(np.float32)
+    grids = [part.reshape(cells + 1, cells + 1, 2) for part in mesh.coordinates]
+
+    level = mesh.normals[:, [0, 2]]
+    level = level / np.maximum(np.linalg.norm(level, axis=1, keepdims=True), 1e-3)
+    downhill = level.reshape(cells + 1, cells + 1, 2)
+
+    def between(values: np.ndarray, r: int, c: int) -> np.ndarray:
+        """Return values at the vertices of cell r, c, from its four corners."""
+        t = np.linspace(0.0, 1.0, FINER + 1, dtype=np.float32)
+        t = t.reshape(-1, *[1] * (values.ndim - 2))
+        upper = values[r, c] * (1 - t) + values[r, c + 1] * t
+        lower = values[r + 1, c] * (1 - t) + values[r + 1, c + 1] * t
+        return np.asarray(upper * (1 - t[:, None]) + lower * t[:, None])
+
+    def made(of: np.ndarray) -> tuple[Mesh, ...]:
+        parts: list[list[np.ndarray]] = [[], [], [], [], *([] for _ in grids)]
+        for r, c in of:
+            rows = np.arange(FINER + 1) + r * FINER
+            columns = np.arange(FINER + 1) + c * FINER
+            z, x = np.meshgrid(rows * unit, columns * unit, indexing="ij")
+            own = np.ix_(rows, columns)
+            y = field.broad.terrain_height(x, z) + raised[own]
+            parts[0].append(np.stack([x, y, z], axis=2))
+            parts[1].append(normals[own])
+            share = between(shares, r, c)
+            stands = ramp(0.0, 0.05, raised[own])
+            parts[2].append(share + stands * (255.0 - share))
+            parts[3].append(colours[own])
+            # On a ledge's upright face the details run on along its height, not as streaks.
+            down = raised[own][..., None] * between(downhill, r, c)
+            for part, grid, rate in zip(parts[4:], grids, rates, strict=True):
+                part.append(between(grid, r, c) - rate * down)
+
+        many = [np.stack(each) for each in parts]
+
+        def level(step: int) -> Mesh:
+            points, up, share, colour, *uv = (each[:, ::step, ::step] for each in many)
+            side = points.shape[1]
+            few = grid_triangles(side, side).astype(np.uint32)
+            starts = (np.arange(len(points)) * side * side).astype(np.uint32)
+            rgba = np.concatenate([np.clip(127.5 * colour, 0, 255), share[..., None]], axis=3)
+            return Mesh(
+                np.ascontiguousarray(points.reshape(-1, 3), np.float32),
+                np.ascontiguousarray(up.reshape(-1, 3), np.float32),
+                np.ascontiguousarray((few[None] + starts[:, None, None]).reshape(-1, 3)),
+                tuple(np.ascontiguousarray(each.reshape(-1, 2), np.float32) for each in uv),
+                np.ascontiguousarray(rgba.reshape(-1, 4).astype(np.uint8)),
+            )
+
+        return tuple(level(step) for step, _ in LEVELS)
+
+    found = []
+    for row in range(0, cells, BLOCK):
+        for column in range(0, cells, BLOCK):
+            here = np.argwhere(used[row : row + BLOCK, column : column + BLOCK]) + (row, column)
+            for turf in (False, True):
+                of = here[soft[here[:, 0], here[:, 1]] == turf]
+                if len(of):
+                    meshes = made(of)
+                    points = meshes[0].vertices
+                    found.append(Block(meshes, points.min(axis=0), points.max(axis=0), turf))
+    return found
+
+
+def grain(rock: np.ndarray) -> list[np.ndarray]:
+    """Return mip levels of a rock texture, uint8 (n, n, c), that fade to mid grey.
+
+    Mid grey leaves colours as they are: there is a grain near the eye, and no repetition afar.
+    """
+    found = []
+    for number, level in enumerate(mip_levels(rock[..., :3])):
+        kept = max(1.0 - number / GRAIN_LEVELS, 0.0)
+        apart = level.astype(np.float32) - level.mean(axis=(0, 1), dtype=np.float64)
+        found.append(np.clip(127.5 + kept * apart, 0, 255).astype(np.uint8))
+    return found
+
+
+class RockFaces:
+    """The display lists of all blocks."""
+
+    def __init__(self, parts: list[Block], texture: Texture) -> None:
+        """Compile them; ``texture`` is the grain of unit 4."""
+        self._lists: list[DisplayList] = []
+        corners = np.array([(part.low, part.high) for part in parts]).reshape(-1, 2, 3)
+        self._middles = corners.mean(axis=1)
+        self._halves = (corners[:, 1] - corners[:, 0]) / 2.0
+        self._turf = np.array([part.turf for part in parts], bool)
+        self._parts = [
+            [self._compiled(partial(draw_mesh, mesh)) for mesh in part.meshes] for part in parts
+        ]
+
+        def before() -> None:
+            gl.glPushAttrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT)
+            self._units(texture)
+
+        self._before, self._after = self._compiled(before), self._compiled(lambda: gl.glPopAttrib())
+        self._looks = [self._compiled(partial(look_up, of)) for of in (ROCK, TURF | SAND | ROCK)]
+
+    def _compiled(self, send: Callable[[], None]) -> DisplayList:
+        self._lists.append(DisplayList(send))
+        return self._lists[-1]
+
+    @staticmethod
+    def _units(texture: Texture) -> None:
+        """Set units 4 and 5: times the grain, times the vertices' colour, each doubled."""
+        for unit, source in ((4, "TEXTURE"), (5, "PRIMARY_COLOR")):
+            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+            texture.bind()
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": source})
+            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+
+    def draw(self, frame: Frame) -> None:
+        """Draw the blocks in view, the nearest first, as fine as their distance asks for."""
+        if not self._parts:
+            return
+        kept = np.flatnonzero(boxes_in_view(frame, self._middles, self._halves))
+        aside = np.maximum(np.abs(self._middles[kept] - frame.eye) - self._halves[kept], 0.0)
+        away = np.linalg.norm(aside, axis=1)
+        order = np.lexsort([away, self._turf[kept]])
+        lists, last = [self._before], None
+        for k, far in zip(kept[order].tolist(), away[order].tolist(), strict=True):
+            if self._turf[k] is not last:
+                last = self._turf[k]
+                lists.append(self._looks[int(last)])
+            level = next(i for i, (_, reach) in enumerate(LEVELS) if far <= reach)
+            lists.append(self._parts[k][level])
+        call_lists([*lists, self._after])
+
+    def release(self) -> None:
+        """Delete the lists; may be called twice."""
+        for compiled in self._lists:
+            compiled.release()
+
+
+def with_grain(mesh: Mesh) -> Mesh:
+    """Return a ground's mesh with the coordinates of unit 4 added."""
+    closer = np.ascontiguousarray(mesh.coordinates[2] * np.float32(CLOSER))
+    return replace(mesh, coordinates=(*mesh.coordinates, closer))
