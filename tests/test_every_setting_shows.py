@@ -136,6 +136,12 @@ SHOTS = {
     "ground.lod_bias": replace(GROUPS["ground"], settings=MATERIALS, value=-2.0),
     "ground.verdure": replace(GROUPS["ground"], settings=MATERIALS, value=1.0),
     "ground.clouds": replace(GROUPS["ground"], settings={"ground.shadows": True}, value=1.0),
+    "ground.ledges": replace(
+        STONY,
+        only=("ground",),
+        settings=MATERIALS | {"ground.tiles": 8, "ground.exact_height": True},
+        value=1.0,
+    ),
     "ground.wet": replace(GROUPS["ground"], settings=MATERIALS, pose=SEA),
     "ground.shadows": replace(GROUPS["ground"], only=("ground", "castle"), pose=GATE),
     "reflection.stencil": of_fix("stencil"),

@@ -45,7 +45,6 @@ BEST: dict[str, Value] = {
     "ground.verdure": 0.8,
     "ground.clouds": 0.5,
     "ground.stones": 10_000,
-    "ground.ledges": 1.0,
     "ground.wet": True,
     "ground.low_stretch": True,
     "ground.texture_size": 2048,

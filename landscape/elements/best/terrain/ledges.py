@@ -126,7 +126,7 @@ def relief(field: HeightField, colours: np.ndarray, strength: float, seed: int =
     small = np.array(Image.fromarray(colours).resize((cells + 1,) * 2, Image.Resampling.BOX))
     bare = 1.0 - greenness(small.reshape(-1, 3) / 255.0).reshape(small.shape[:2])
     # A summit and the floor of a notch are level, but among steep rock.
-    steep = widest(ramp(*STEEP, np.hypot(rise_x, rise_z))) * (0.35 + 0.65 * bare)
+    steep = widest(ramp(*STEEP, np.hypot(rise_x, rise_z))) * ramp(0.4, 0.9, bare)
     rock = steep * ramp(*ABOVE, field.heights - field.water_level)
     border = np.minimum(at, 1.0 - at) > 2.0 / cells
     rock = np.where(border[:, None] & border[None, :], rock, 0.0)

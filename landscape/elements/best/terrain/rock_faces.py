@@ -38,6 +38,7 @@ LEVELS = ((1, 3.5), (2, 9.0), (4, np.inf))  # every how many-th vertex, up to wh
 CLOSER = 4.3  # times as often is the rock's texture repeated in unit 4
 GRAIN_LEVELS = 6  # mip levels in which that grain fades out
 AMBIENT, SUNLIGHT = 0.42, 0.75  # light on rock in shadow, and the sun's on rock that faces it
+RANGE = (0.4, 1.4)  # of the factor: more would be white where the large texture is bright
 HOLLOW = ((3, 7.0), (10, 3.5))  # cells of the relief around, and how much a hollow darkens
 LICHEN = np.array([1.10, 1.09, 0.92])  # times the colour of the rock
 RUST = np.array([1.12, 0.98, 0.82])
@@ -73,7 +74,7 @@ def lights(field: LedgedField, sun: np.ndarray) -> tuple[np.ndarray, np.ndarray]
     factor = sunny / was
     for cells, darker in HOLLOW:
         factor *= np.clip(1.0 + darker * (raised - blurred(raised, cells)), 0.45, 1.3)
-    factor = factor[..., None] * np.ones(3)
+    factor = np.clip(factor, *RANGE)[..., None] * np.ones(3)
     rng = np.random.default_rng(82)
     some, spots = (
         np.asarray(
