@@ -1,7 +1,7 @@
 """Techniques beyond the report, as pairs of pictures, before and after."""
 
 from landscape.frame import Pose
-from landscape.island.fix import Fix
+from landscape.island.fix import GROUND, Fix
 from landscape.settings.declare import Value
 
 SEA_OF_BEST: dict[str, Value] = {
@@ -253,6 +253,31 @@ BEST_FIXES: tuple[Fix, ...] = (
             **{"sky.unfogged": True, "camera.fov": 40.0},
         },
         only=("ground", "water", "sky", "trees", "reflection", "fog"),
+    ),
+    Fix(
+        "best11",
+        "Ledges in rock",
+        Pose(16.0, GROUND, 9.0, 250.0, 10.0),
+        20.0,
+        {"ground.ledges": 0.0},
+        {"ground.ledges": 0.7},
+        "In best4 a cliff has the texture of rock, but its shape is that of a few large triangles.",
+        "Follow the skyline. Before, it is a straight line; after, beds of rock end in ledges, "
+        "gullies run down between them, and the rock has a grain at arm's length.",
+        "Cells of steep ground are drawn again as 8 x 8 finer ones, before the ground, so that the "
+        "depth test rejects what is beneath. The heights are made once; the walker stands on them. "
+        "Two more texture units multiply by a fine grain and by the vertices' colour, which holds "
+        "the light on the ledges.",
+        (
+            "a mountain slope of smooth rock with a straight skyline",
+            "the same slope broken into ledges and gullies, with a jagged skyline",
+        ),
+        common={
+            **{"ground.height_image": "height16.png", "ground.resolution": 160},
+            **{"ground.materials": True, "ground.mid_repeat": 13.0, "ground.weathered": True},
+            **{"ground.tiles": 8, "ground.exact_height": True, "ground.low_stretch": True},
+        },
+        only=("ground", "sky", "fog", "water"),
     ),
     Fix(
         "stencil",

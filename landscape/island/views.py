@@ -7,6 +7,7 @@ default preset; views that show one technique, or one flaw, use the preset 2006,
 from dataclasses import replace
 
 from landscape.frame import Pose
+from landscape.island.close_views import CLOSE_VIEWS
 from landscape.scene.scene import View
 from landscape.settings.declare import Value
 
@@ -714,4 +715,5 @@ VIEWS = (
             ),
         )
     }
+    | {view.name: view for view in CLOSE_VIEWS}
 )
