@@ -49,7 +49,8 @@ def test_the_shipped_assets_pass_every_check() -> None:
 
 
 def test_every_asset_of_the_studio_is_checked(studio: Any) -> None:
-    kinds = checks.SIZES, checks.MESHES, checks.ENVIRONMENTS, checks.PLACES_FILES
+    meshes = {**checks.MESHES, **checks.TEXTURED}
+    kinds = checks.SIZES, meshes, checks.ENVIRONMENTS, checks.PLACES_FILES
     assert set(studio.table()) == {name for kind in kinds for name in kind}
 
 

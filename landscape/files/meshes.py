@@ -8,7 +8,7 @@ import re
 from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -86,8 +86,8 @@ def read_ply(path: Path) -> tuple[np.ndarray, np.ndarray]:
     positions and indices are ignored. InputError names a file that is missing, truncated, not a
     PLY, or has no faces, wrong indices or NaN.
     """
-    vertices, triangles, _ = _read_ply(path)
-    return checked(path, vertices, triangles)
+    found = _read_ply(path)
+    return checked(path, found.vertices, found.triangles)
 
 
 def read_colours(path: Path) -> np.ndarray | None:
@@ -95,11 +95,35 @@ def read_colours(path: Path) -> np.ndarray | None:
 
     InputError as :func:`read_ply`.
     """
-    return None if path.suffix.lower() in OTHER_FORMATS else _read_ply(path)[2]
+    return None if path.suffix.lower() in OTHER_FORMATS else _read_ply(path).colours
 
 
-def _read_ply(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
-    """Return vertices, triangles and colours; InputError where the file is not a complete PLY."""
+class Ply(NamedTuple):
+    """A PLY file: vertices float32 (n, 3), triangles int64 (m, 3), and if it has them colours.
+
+    ``colours`` are uint8 (n, 3), ``coordinates`` are its s and t, float32 (n, 2).
+    """
+
+    vertices: np.ndarray
+    triangles: np.ndarray
+    colours: np.ndarray | None
+    coordinates: np.ndarray | None
+
+
+def read_textured(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return vertices and triangles of a PLY file, as :func:`read_ply`, and its vertices' looks.
+
+    These are colours, uint8 (n, 3), and texture coordinates s and t, float32 (n, 2). InputError as
+    :func:`read_ply`, and if the file has none.
+    """
+    found = _read_ply(path)
+    if found.colours is None or found.coordinates is None:
+        raise InputError("{path}: expected a PLY mesh with red, green, blue, s and t", path=path)
+    return *checked(path, found.vertices, found.triangles), found.colours, found.coordinates
+
+
+def _read_ply(path: Path) -> Ply:
+    """Return a file's arrays; InputError where the file is not a complete PLY."""
     _check_file(path)
     data = read_bounded(path, MOST_BYTES)
     try:
@@ -122,8 +146,8 @@ class _Element:
     properties: list[tuple[str, str, str | None]]
 
 
-def parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
-    """Return vertices float32 (n, 3), triangles int64 (m, 3), colours uint8 (n, 3) if it has any.
+def parse_ply(data: bytes) -> Ply:
+    """Return the arrays of a PLY file.
 
     ValueError says what is wrong; whether indices and coordinates make sense is not checked.
     """
@@ -136,7 +160,7 @@ def parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         raise ValueError(str(error)) from None
 
 
-def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+def _parse_ply(data: bytes) -> Ply:
     end = re.search(rb"[\r\n]end_header[ \t]*(\r\n|\n|\r|$)", data[:LONGEST_HEADER])
     if end is None:
         raise ValueError("its header does not end")
@@ -146,7 +170,7 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         # ASCII numbers become doubles, which are then read like those of a binary file.
         body = _doubles(data, end.end()).view(np.uint8).data
     vertices, triangles = np.empty((0, 3)), np.empty((0, 3))
-    colours = None
+    colours = coordinates = None
     at = 0
     for element in _elements(header):
         columns, at = _columns(body, at, element)
@@ -157,6 +181,9 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
             if set(COLOURS) <= columns.keys():
                 stacked = np.stack([columns[name] for name in COLOURS], axis=1)
                 colours = np.clip(np.nan_to_num(stacked), 0, 255).astype(np.uint8)
+            if {"s", "t"} <= columns.keys():
+                stacked = np.stack([columns[name] for name in "st"], axis=1)
+                coordinates = np.nan_to_num(stacked).astype(np.float32)
         elif element.name == "face":
             lists = [name for name, _, counter in element.properties if counter is not None]
             known = [name for name in lists if name in ("vertex_indices", "vertex_index")]
@@ -165,7 +192,7 @@ def _parse_ply(data: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
             triangles = _fans(columns[(known or lists)[0]])
 
     places = np.ascontiguousarray(vertices, np.float32)
-    return places, triangles.astype(np.int64), colours
+    return Ply(places, triangles.astype(np.int64), colours, coordinates)
 
 
 def _doubles(text: bytes, at: int) -> np.ndarray:

@@ -105,7 +105,7 @@ def fingerprint(vertices: np.ndarray, faces: np.ndarray) -> str:
 
 def check(data: bytes, scan: Scan) -> None:
     """Raise ValueError, saying what differs, unless ``data`` is the PLY file of that scan."""
-    vertices, faces, _ = parse_ply(data)
+    vertices, faces = parse_ply(data)[:2]
     if (len(vertices), len(faces)) != (scan.vertices, scan.faces):
         raise ValueError(
             f"{len(vertices)} vertices and {len(faces)} faces, "

@@ -22,7 +22,7 @@ from landscape.elements.settings import TIMES, Settings, preset
 from landscape.elements.sprite_names import HERBS, MORE_FILES
 from landscape.files.assets import Assets
 from landscape.files.images import open_image, read_heights, read_image
-from landscape.files.meshes import read_ply
+from landscape.files.meshes import read_ply, read_textured
 from landscape.files.smooth import read_smooth
 from landscape.flyover.environment import open_environment
 from landscape.geometry.height_field import height_field
@@ -93,6 +93,7 @@ SIZES = {
     "hall_floor.png": (1024, 1024, "RGB"),
     **{f"hall_{name}.png": (256, 256, "RGB") for name in ("band", "wood")},
     "hall_light.png": (2048, 2048, "RGB"),
+    "castle_hall.jpg": (2048, 1024, "RGB"),
     TILES_FILE: (SIDE, SIDE * len(BLOCK_TILES), "RGBA"),
     PLANTS_FILE: (SIDE * len(PLANT_TILES), SIDE, "RGBA"),
     RIPPLES_FILE: (RIPPLES_SIDE, RIPPLES_SIDE, "RGB"),
@@ -105,6 +106,7 @@ STRIPS = {TILES_FILE: (SIDE, SIDE), PLANTS_FILE: (SIDE, SIDE)}
 # Vertices; those of the animals are the report's.
 STONES = "stones.ply"  # many shapes in a row
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998, STONES: 1349}
+TEXTURED = {"castle_hall.ply": 9030}  # vertices of meshes that are neither closed nor lit
 TILES = (
     "ground_detail.png",
     "ground_sand.png",
@@ -135,7 +137,7 @@ SHEETS = {"fire.png": 4}  # sprite sheets: frames per side
 # Of the software fly-over: maps of 512 x 512 with a path that is 700 to 1500 pixels long.
 ENVIRONMENTS = ("flyover_alps.svg", "flyover_canyon.svg")
 PLACES_FILES = ("avenue.csv", "crossing.csv")  # of trees, deer and plants, all on land
-MAX_BYTES = 20_000_000  # of all assets together
+MAX_BYTES = 24_000_000  # of all assets together
 
 # Chosen: x, z and the limits of y of the places that the named views rely on.
 PLACES = {
@@ -175,7 +177,7 @@ class Finding:
 def check_files(assets: Assets) -> Iterator[Finding]:
     """Check that every asset exists with its size and mode, and the size of all together."""
     total = 0
-    for name in (*SIZES, *MESHES, *ENVIRONMENTS, *PLACES_FILES):
+    for name in (*SIZES, *MESHES, *TEXTURED, *ENVIRONMENTS, *PLACES_FILES):
         path = assets.path(name)
         total += path.stat().st_size
         if name not in SIZES:
@@ -340,6 +342,18 @@ def check_meshes(assets: Assets) -> Iterator[Finding]:
         yield Finding(name, "centred", ok, text, {"middle": middle, "reach": reach})
 
 
+def check_textured(assets: Assets) -> Iterator[Finding]:
+    """Check the vertex counts of textured meshes, and that they lie within their texture."""
+    for name, wanted in TEXTURED.items():
+        vertices, triangles, _, coordinates = read_textured(assets.path(name))
+        used = len(np.unique(triangles))
+        text = f"{len(vertices):,} vertices, {used:,} of them used (expected {wanted:,})"
+        yield Finding(name, "count", len(vertices) == used == wanted, text, {"vertices": used})
+        low, high = float(coordinates.min()), float(coordinates.max())
+        text = f"texture coordinates from {low:.3f} to {high:.3f} (within 0 and 1)"
+        yield Finding(name, "coordinates", low >= 0.0 and high <= 1.0, text, {"high": high})
+
+
 def check_environments(assets: Assets) -> Iterator[Finding]:
     """Check the size of each map, the length of its path, and that it uses the range of heights."""
     for name in ENVIRONMENTS:
@@ -372,6 +386,7 @@ CHECKS: tuple[Callable[[Assets], Iterator[Finding]], ...] = (
     check_sprites,
     check_heights,
     check_meshes,
+    check_textured,
     check_environments,
     check_places,
 )

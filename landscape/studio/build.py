@@ -51,6 +51,7 @@ MODULES = (
     "voxel.ripples",
     "land.environments",
     "castle.stones",
+    "castle.great_hall",
     "places",
 )
 
@@ -107,18 +108,30 @@ def table() -> dict[str, Callable[[], Any]]:
     return makers
 
 
-def ply(vertices: np.ndarray, faces: np.ndarray, colours: np.ndarray) -> bytes:
+def ply(
+    vertices: np.ndarray,
+    faces: np.ndarray,
+    colours: np.ndarray,
+    coordinates: np.ndarray | None = None,
+) -> bytes:
     """Encode vertices (n, 3), triangles (m, 3) and colours uint8 (n, 3) as a binary PLY.
 
-    Indices are 16-bit where the vertex count allows it.
+    ``coordinates`` (n, 2), if any, are texture coordinates. Indices are 16-bit where the vertex
+    count allows it.
     """
     kind, number = ("ushort", "<u2") if len(vertices) <= 65536 else ("uint", "<u4")
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
     header += [f"property float {axis}" for axis in "xyz"]
     header += [f"property uchar {name}" for name in ("red", "green", "blue")]
+    fields: list[tuple[Any, ...]] = [("place", "<f4", 3), ("colour", "u1", 3)]
+    if coordinates is not None:
+        header += [f"property float {name}" for name in "st"]
+        fields.append(("coordinates", "<f4", 2))
     header += [f"element face {len(faces)}", f"property list uchar {kind} vertex_indices"]
-    points = np.empty(len(vertices), [("place", "<f4", 3), ("colour", "u1", 3)])
+    points = np.empty(len(vertices), fields)
     points["place"], points["colour"] = vertices, colours
+    if coordinates is not None:
+        points["coordinates"] = coordinates
     rows = np.empty(len(faces), [("count", "u1"), ("corners", number, 3)])
     rows["count"], rows["corners"] = 3, faces
     text = "\n".join([*header, "end_header", ""]).encode()

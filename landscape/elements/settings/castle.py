@@ -75,7 +75,7 @@ class Castle:
     depth: bool = setting(
         False,
         "chosen",
-        "the open door shows a hall behind it, not a wall painted dark",
+        "the open door shows the hall behind it, not a wall painted dark",
         needs=("castle", "castle.ornate", "castle.open"),
     )
     glow: float = setting(

@@ -74,7 +74,7 @@ class OrnateCastle(CastleInOnePass):
         self._open_door = DisplayList(lambda: send_open_door(self._door))
         self._opening = DisplayList(send_opening)
         deep = castle.depth and castle.open and has_stencil("castle.depth")
-        self._hall = Doorway(self._brick, self._opening) if deep else None
+        self._hall = Doorway(assets, self._brick, self._opening) if deep else None
         self._glow = TorchGlow(self._ground_at) if castle.glow > 0.0 else None
 
     @classmethod
