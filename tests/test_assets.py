@@ -226,6 +226,7 @@ def test_an_image_of_the_wrong_size_or_mode_is_found(tmp_path: Path) -> None:
     assert found == {("plant.png", "size"), ("blade.png", "size")}
 
 
+@pytest.mark.seldom(2)
 def test_exceeding_the_total_size_is_found(tmp_path: Path) -> None:
     shutil.copy(shipped() / "dragon.ply", tmp_path)
     with (tmp_path / "dragon.ply").open("ab") as file:
@@ -263,6 +264,7 @@ def test_a_horizon_without_the_fog_colour_is_found(tmp_path: Path) -> None:
     }
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_step_along_an_edge_of_coded_sky_is_found_and_noise_of_coding_is_not(
     tmp_path: Path,
 ) -> None:
@@ -346,6 +348,7 @@ def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
         assert difference.max() <= 1 and (difference > 0).mean() < 1e-3
 
 
+@pytest.mark.seldom(2, first=1)
 def test_the_hall_s_light_was_baked_from_the_hall_as_it_is(
     studio: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -425,6 +428,7 @@ def test_an_interrupted_write_keeps_the_old_file(
     assert path.read_bytes() == b"old"
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_a_build_interrupted_by_the_user_ends_at_once_and_leaves_nothing(
     studio: Any, tmp_path: Path

@@ -220,6 +220,7 @@ def test_a_missing_libgl_is_named_by_its_package(screen: dict[str, str]) -> None
     assert one_line(done.err) and advice.install("glfw") in done.err
 
 
+@pytest.mark.seldom(2)
 def test_an_unloadable_library_ends_with_status_3(tmp_path: Path) -> None:
     names = ["OSMesa.dll"] if WINDOWS else libraries.file_names("OSMesa")
     for name in names:
@@ -230,6 +231,7 @@ def test_an_unloadable_library_ends_with_status_3(tmp_path: Path) -> None:
     assert str(tmp_path / names[0]) in done.err and advice.install("osmesa") in done.err
 
 
+@pytest.mark.seldom(3)
 def test_auto_uses_the_next_backend_if_the_first_is_missing(tmp_path: Path) -> None:
     need_library("OSMesa", "EGL")
     for name, hidden in (("first", "nothing"), ("next", "OSMesa")):
@@ -315,6 +317,7 @@ for _ in range(20):
 # --- doctor ------------------------------------------------------------------------------------
 
 
+@pytest.mark.seldom(3, first=2)
 def test_doctor_json_has_the_documented_fields() -> None:
     done = landscape("doctor", "--json")
     found = done.json()
@@ -339,6 +342,7 @@ def test_doctor_json_has_the_documented_fields() -> None:
     assert found["backends"]["glfw"]["ok"] == WINDOWS, "there is no display elsewhere"
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.window
 def test_doctor_finds_the_glfw_backend_if_there_is_a_display(screen: dict[str, str]) -> None:
     assert landscape("doctor", "--json", env=screen).json()["backends"]["glfw"]["ok"]
@@ -369,6 +373,7 @@ sys.exit(main(["doctor", *sys.argv[1:]]))
     assert found["chosen"] is None
 
 
+@pytest.mark.seldom(2, first=1)
 def test_doctor_survives_a_backend_that_crashes_or_hangs(
     tmp_path: Path,
 ) -> None:

@@ -40,6 +40,7 @@ def drawn_whole(view: str, only: tuple[str, ...] | None = None, **more) -> np.nd
         return offscreen.draw()
 
 
+@pytest.mark.seldom(2)
 @pytest.mark.parametrize("view", ["fig2a", "fig35e"])
 def test_a_poster_is_the_picture_drawn_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, view: str

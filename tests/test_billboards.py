@@ -204,6 +204,7 @@ def test_a_deer_from_above_is_long_symmetric_and_has_no_legs() -> None:
     assert not back_from_above(np.zeros((40, 40, 4), np.uint8), 16)[..., 3].any()
 
 
+@pytest.mark.seldom(4, first=1)
 @pytest.mark.parametrize("back", [False, True])
 def test_a_deer_from_above_is_a_back_and_not_a_line(
     stage: Stage, tmp_path: Path, back: bool

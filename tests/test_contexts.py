@@ -378,6 +378,7 @@ sys.exit(main(sys.argv[1:]))
     assert "freeglut64.vc14.dll" in advice.install("glut", on="windows")
 
 
+@pytest.mark.seldom(3, first=2)
 @linux
 @pytest.mark.window
 def test_the_walk_needs_no_screen_where_egl_draws(tmp_path: Path) -> None:

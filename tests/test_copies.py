@@ -104,6 +104,7 @@ def honest(name: str) -> list[str]:
     return [programs[number % len(programs)] for number in range(COUNT)]
 
 
+@pytest.mark.seldom(3, first=2)
 @each("name", ["look_at", "missing_enable", "bresenham"])
 def test_an_honest_class_has_no_pair(name: str) -> None:
     students = [str(number) for number in range(COUNT)]
@@ -121,6 +122,7 @@ def planted() -> list[str]:
     return programs
 
 
+@pytest.mark.seldom(2)
 def test_three_planted_copies_are_found_first_and_nothing_else(planted: list[str]) -> None:
     students = [str(number) for number in range(COUNT)]
     found = pairs(planted, known(exercise(NAME)), students)

@@ -176,6 +176,7 @@ def test_nothing_of_the_window_names_a_scene() -> None:
 # The hall, walked in without OpenGL.
 
 
+@pytest.mark.sweep(2)
 @pytest.mark.parametrize("seed", range(4))
 def test_no_random_walk_in_the_hall_crosses_wall_pillar_plinth_or_pool(seed: int) -> None:
     rng, around = np.random.default_rng(seed), obstacles()

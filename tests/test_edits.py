@@ -301,6 +301,7 @@ def test_an_edit_whose_line_is_gone_from_the_file_is_found_by_its_function(
     assert edits.missed() == []
 
 
+@pytest.mark.seldom(2, first=1)
 def test_edits_that_find_no_call_are_told_by_the_commands(density: Located, tmp_path: Path) -> None:
     path = tmp_path / "edits.json"
     write([density.edit(1, 0.4)], path)
@@ -367,6 +368,7 @@ MISFITS = {
 }
 
 
+@pytest.mark.sweep(3, first=2)
 @pytest.mark.parametrize("name", MISFITS)
 def test_a_value_that_does_not_fit_its_argument_is_refused_in_one_line(
     tmp_path: Path, name: str

@@ -69,6 +69,7 @@ def test_all_solutions_pass_and_the_start_does_not(
     assert report.error is None and len(failures(report)) == 1
 
 
+@pytest.mark.seldom(3, first=1)
 def test_each_mistake_still_fits_its_solution() -> None:
     for name in NAMES:
         code = solution(name)
@@ -172,6 +173,7 @@ def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
     assert f": {region}. " in hints(report)[0].written(str)
 
 
+@pytest.mark.seldom(4)
 @each("name", NAMES)
 def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> None:
     found = exercise(name)

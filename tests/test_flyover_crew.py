@@ -98,6 +98,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.seldom(5, first=1)
 @pytest.mark.parametrize(
     "interrupted",
     [

@@ -66,6 +66,7 @@ def test_without_the_fine_heights_the_bmp_is_read(tmp_path: Path) -> None:
     assert np.abs(exchange.read(tmp_path).image - environment.image).max() <= 0.5
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.parametrize(
     ("name", "content", "said"),
     [

@@ -127,6 +127,7 @@ CAMERAS = {
 }
 
 
+@pytest.mark.sweep(2, first=1)
 @pytest.mark.parametrize("name", CAMERAS)
 def test_hidden_lines_equal_a_z_buffer_but_for_pixels_beside_silhouettes(name: str) -> None:
     up, pitch, roll, yaw = CAMERAS[name]

@@ -33,6 +33,7 @@ def differing(ends: np.ndarray, size: tuple[int, int]) -> list[list[int]]:
     return wrong
 
 
+@pytest.mark.seldom(3)
 def test_lines_are_those_of_the_loop_in_all_octants_clipped_and_degenerate() -> None:
     random = np.random.default_rng(5)
     ends = np.concatenate(

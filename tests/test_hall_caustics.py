@@ -181,6 +181,7 @@ def test_most_light_is_thrown_away_from_the_sun() -> None:
     assert away > 2 * towards > 0
 
 
+@pytest.mark.seldom(4, first=3)
 def test_no_mesh_reaches_beyond_the_light() -> None:
     for _, mesh in lit_meshes(SUN):
         assert mesh.triangles.max() < len(mesh.vertices)

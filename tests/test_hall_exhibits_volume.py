@@ -124,6 +124,7 @@ def test_edges_of_a_mesh_that_is_not_a_surface_make_closed_lines_too() -> None:
     assert len(edges) == 9 and (edges == (0, 1)).all(axis=1).sum() == 3
 
 
+@pytest.mark.seldom(4, first=2)
 @pytest.mark.parametrize("count", ["zpass", "zfail"])
 def test_the_counts_on_the_back_wall_are_those_of_rays_to_the_torch(
     view: Offscreen, monkeypatch: pytest.MonkeyPatch, count: str

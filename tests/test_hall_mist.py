@@ -112,6 +112,7 @@ def test_the_clouds_move_only_outside_the_windows(
     assert not (changed & ~sky).any()
 
 
+@pytest.mark.seldom(3)
 def test_two_layers_move_at_two_speeds_and_lie_in_their_order(picture: Draw) -> None:
     assert moved(picture, sky_layers=0).max() == 0
     assert 0 < moved(picture, sky_layers=1).mean() < moved(picture, sky_layers=2).mean()

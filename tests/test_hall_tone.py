@@ -93,6 +93,7 @@ def test_doublings_multiply_to_the_contrast_and_none_is_above_2() -> None:
         assert max(doublings(scale)) <= 2.0
 
 
+@pytest.mark.seldom(3, first=2)
 def test_flames_shine_undimmed_before_dimmed_surroundings(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:

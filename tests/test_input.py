@@ -178,6 +178,7 @@ HOSTILE = {
 }
 
 
+@pytest.mark.seldom(5, first=3)
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_mesh_made_to_fill_the_memory_takes_little(name: str, tmp_path: Path) -> None:
     file, data, reason = HOSTILE[name]
@@ -194,6 +195,7 @@ def test_a_mesh_made_to_fill_the_memory_takes_little(name: str, tmp_path: Path) 
     assert peak < 300e6
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_damaged_stl_gives_one_line(shell: Shell) -> None:
     (shell.cwd / "bad.stl").write_bytes(b"solid x\nfacet normal 0 0 0\n garbage")
     view = ("render", "fig35e", "--only=rabbit", "--set=rabbit.mesh=bad.stl")

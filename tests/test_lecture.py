@@ -281,6 +281,7 @@ def test_a_caption_keeps_the_band_low_where_its_title_is_long() -> None:
     assert higher.area[1] < found.area[1], "what the user wrote is shown"
 
 
+@pytest.mark.seldom(2, first=1)
 def test_a_walk_in_a_lecture_has_its_mouse_in_its_area_and_names_the_lecture_s_key(
     tmp_path: Path,
 ) -> None:

@@ -87,6 +87,7 @@ def test_both_forms_draw_the_same_picture(
         assert (np.abs(one - two).max(-1) > 8).mean() < 0.02
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.window
 @pytest.mark.parametrize("name", ["wire_teapot", "grey_keys"])
 def test_trace_and_strip_show_a_glut_program(name: str, tmp_path: Path) -> None:
@@ -102,6 +103,7 @@ def test_trace_and_strip_show_a_glut_program(name: str, tmp_path: Path) -> None:
         assert picture.stat().st_size > 1000
 
 
+@pytest.mark.seldom(2)
 def test_a_lesson_is_copied_with_its_programs_which_run_there_in_french(
     glfw_watcher: Watcher, tmp_path: Path
 ) -> None:

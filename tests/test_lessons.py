@@ -183,6 +183,7 @@ def picture_of(name: str, watcher: Watcher, folder: Path) -> tuple[np.ndarray, s
     return np.fromfile(file, np.uint8).reshape(480, 640, 3), drawn.log[0][2]
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize("name", ["text", "matrix_stack", PRESSED[0], PRESSED[-1]])
 def test_the_picture_of_a_lesson_is_written_to_a_file(
     name: str, shell: Shell, watcher: Watcher, tmp_path: Path
@@ -391,6 +392,7 @@ def test_without_a_screen_a_lesson_says_how_to_see_it() -> None:
     assert done.status == 3 and "--out FILE.png" in done.err and done.err.count("\n") == 1
 
 
+@pytest.mark.seldom(2)
 @pytest.mark.posix_only("there is always a screen")
 def test_a_copied_lesson_without_a_screen_ends_with_one_line_and_does_not_abort() -> None:
     files = [lesson(name).file for name in NAMES]

@@ -221,6 +221,7 @@ context.release()
 """
 
 
+@pytest.mark.seldom(3, first=1)
 def test_escape_leads_back_to_the_title_and_the_walk_is_kept(tmp_path: Path) -> None:
     done = python(WALKS, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
     assert done.status == 0, done.err
