@@ -128,7 +128,7 @@ def test_a_program_without_a_toolkit_is_told_so(grader: Grader, tmp_path: Path) 
 
 
 def test_a_forged_error_is_still_one_line(grader: Grader, tmp_path: Path) -> None:
-    error = {"word": "raised", "line": "1\n2", "error": "x\n" * 9999}
+    error = {"word": "raised", "line": 5, "error": "x\n" * 9999}
     report = checked(grader, tmp_path, HEAD + FORGE.format(json.dumps({"error": error})))
     assert report.error is not None and report.error["word"] == "raised"
     told = sentence(report.error, lambda text, context="": text)

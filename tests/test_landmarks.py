@@ -10,8 +10,9 @@ import pytest
 from commands import environment, python
 
 from landscape.commands.walk import told
+from landscape.scene.landmarks import LANDMARKS, NAMES
 from landscape.scene.scene import scene
-from landscape.walk.landmarks import FILE, LANDMARKS, NAMES, SHORES, Found, Search
+from landscape.walk.landmarks import FILE, SHORES, Found, Search, place_of, title_of
 from landscape.walk.landmarks_list import LandmarksList, way
 from landscape.walk.list_image import line_at, list_image, text_image
 from landscape.walk.place import Place
@@ -50,9 +51,9 @@ def place(name: str = "island") -> Place:
 def test_every_landmark_has_a_place_a_title_in_both_languages_and_a_lesson() -> None:
     for landmark in LANDMARKS:
         where = place(landmark.scene)
-        assert (landmark.place(where) is None) == (landmark.name == "far_shore"), landmark
-        assert landmark.place(place("voxel")) is None
-        assert landmark.title("en") != landmark.title("fr"), landmark
+        assert (place_of(landmark, where) is None) == (landmark.name == "far_shore"), landmark
+        assert place_of(landmark, place("voxel")) is None
+        assert title_of(landmark, "en") != title_of(landmark, "fr"), landmark
         english, french = told(landmark.lesson, "en"), told(landmark.lesson, "fr")
         assert len(english) == len(french) > 2
         assert all(one != other for one, other in zip(english, french, strict=True)), landmark
@@ -66,7 +67,7 @@ def test_every_landmark_has_a_place_a_title_in_both_languages_and_a_lesson() -> 
 def test_the_dragon_is_found_where_the_settings_have_it() -> None:
     where = place()
     dragon = next(each for each in LANDMARKS if each.name == "dragon")
-    x, z = dragon.place(where) or (0.0, 0.0)
+    x, z = place_of(dragon, where) or (0.0, 0.0)
     near = Walker(x + 1.0, 1.1, z)
     assert "dragon" in Search().reached(where, near)
     assert "dragon" not in Search().reached(where, replace(near, x=x + 3.0))

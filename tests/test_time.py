@@ -222,9 +222,9 @@ def test_foam_is_warmer_at_sunset(stage: Stage, islands: list[Island]) -> None:
         for foam in (True, False):
             with stage.borrowed():
                 assert island.apply(with_settings(island.settings, {"water.foam": foam}))
-                island.draw(Moment(BEACH, SIZE, 120.0))  # the wash is wide
+                island.draw(Moment(BEACH, SIZE, 80.0))  # the wash is wide
             pictures.append(stage.read())
-        foam = (pictures[0] - pictures[1])[(pictures[0] - pictures[1]).sum(axis=2) > 60]
+        foam = (pictures[0] - pictures[1])[(pictures[0] - pictures[1]).sum(axis=2) > 40]
         assert len(foam) > 30, "no foam to be seen"
         red, _, blue = foam.mean(axis=0)
         warmth.append(red / blue)

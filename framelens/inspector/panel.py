@@ -58,7 +58,7 @@ def keys_image(
             writable(title, face),
             [(writable(k, face), writable(v, face)) for k, v in rows],
         )
-        line, edge = round(spacing * pixels), pixels
+        line, edge = round(spacing * pixels), pixels if spacing == SPACING else pixels // 2
         left = max(face.getlength(keys) for keys, _ in rows)
         right = max(face.getlength(what) for _, what in rows)
         width = int(left + right + 3.5 * edge)

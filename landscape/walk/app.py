@@ -26,6 +26,7 @@ from framelens.tape.edits import Edit
 from landscape.elements.element import watched
 from landscape.files.assets import Assets
 from landscape.geometry.doors import Door
+from landscape.scene.landmarks import LANDMARKS
 from landscape.scene.scene import Moment, scene
 from landscape.settings import declare
 from landscape.settings.declare import Value
@@ -35,7 +36,7 @@ from landscape.walk.digits import help_rows, hint, pressed
 from landscape.walk.hands import Hands
 from landscape.walk.hearing import Hearing, captioned, heard
 from landscape.walk.keys import SETTINGS
-from landscape.walk.landmarks import LANDMARKS, Found, Search
+from landscape.walk.landmarks import Found, Search, title_of
 from landscape.walk.landmarks_list import LandmarksList, Teller, nothing_told
 from landscape.walk.last import LastWalk, first_picture
 from landscape.walk.last import keep as keep_last
@@ -366,7 +367,7 @@ class Walk:
             landmark = next(each for each in LANDMARKS if each.name == name)
             claimed = self.place.kind.letters
             key = self.hands.keymap.labels("landmarks", self._language, system_name, claimed)
-            what = landmark.title(self._language)
+            what = title_of(landmark, self._language)
             self._note = self._word("landmarks.found", what=what, letter=key)
 
     def _heed(self, preferences: Preferences) -> None:

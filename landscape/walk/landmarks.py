@@ -1,7 +1,6 @@
-"""What there is to find on a walk: the report's own landmarks, and which of them have been found.
+"""What there is to find on a walk, and which of it has been found.
 
-They are the nine views of figure 35, the dragon, the rabbit, the castle's gate, the hall's exhibits
-and the far shore. Where they stand is where the scenes have them: in a view's pose, an element's
+The landmarks (scene/landmarks.py) stand where the scenes have them: in a view's pose, an element's
 settings, a door. What has been found is kept in ``found.toml`` beside the preferences, for the next
 walk. Nothing else depends on it: a recording neither reads nor changes it, and a replay has it as
 messages of its frames. No OpenGL here.
@@ -13,13 +12,13 @@ import os
 import textwrap
 import tomllib
 from collections.abc import Collection
-from dataclasses import dataclass
 from pathlib import Path
 
 from framelens.base.errors import InputError, Message
 from framelens.base.input import read_bounded
 from framelens.base.output import write_whole
 from framelens.base.texts import said, translator
+from landscape.scene.landmarks import FAR_SHORE, LANDMARKS, NAMES, Landmark
 from landscape.scene.scene import Watery, scene
 from landscape.settings import declare
 from landscape.walk import words
@@ -33,66 +32,33 @@ HEAD = Message(
     "What you have found on your walks through landscape; B in the walk lists it. A name that is "
     "deleted can be found again."
 )
-NEAR = {"island": 1.2, "hall": 0.35}  # chosen: units from a landmark where one has come to it
 LOW = 1.0  # chosen: units above the ground up to which one who flies has come to what is below
 SHORES = 6.0  # chosen: units, about 100 m, between a shore and one that is far from it
 LEAP = 1.0  # chosen: units; who is that much further after a frame has not come on foot
 
 
-@dataclass(frozen=True)
-class Landmark:
-    """A landmark: the name of a view, or of what stands there; its scene and its lesson."""
-
-    name: str
-    scene: str
-    lesson: str
-
-    def title(self, language: str) -> str:
-        """Return what it is called: what the view shows, where it is one."""
-        view = scene(self.scene).views.get(self.name)
-        if view is None:
-            return words.text(language, f"landmark.{self.name}")
-        return translator(language, "gallery")(view.shows)
-
-    def place(self, place: Place) -> tuple[float, float] | None:
-        """Return its x and z in units in an open scene; None in another, or where it has none."""
-        if place.kind.name != self.scene:
-            return None
-        view = place.kind.views.get(self.name)
-        if view is not None:
-            return view.pose.x, view.pose.z
-        if self.name == "gate":
-            return next(((door.x, door.z) for door in place.doors), None)
-        if f"{self.name}.x" not in declare.fields(type(place.settings)):
-            return None
-        x, z = (declare.get(place.settings, f"{self.name}.{axis}") for axis in "xz")
-        assert isinstance(x, int | float) and isinstance(z, int | float)
-        return float(x), float(z)
+def title_of(landmark: Landmark, language: str) -> str:
+    """Return what a landmark is called: what the view shows, where it is one."""
+    view = scene(landmark.scene).views.get(landmark.name)
+    if view is None:
+        return words.text(language, f"landmark.{landmark.name}")
+    return translator(language, "gallery")(view.shows)
 
 
-FAR_SHORE = "far_shore"
-LANDMARKS = (
-    Landmark("fig35a", "island", "mirror"),
-    Landmark("fig35b", "island", "grass"),
-    Landmark("fig35c", "island", "crossed_quads"),
-    Landmark("fig35d", "island", "billboard"),
-    Landmark("fig35e", "island", "fog"),
-    Landmark("fig35f", "island", "sprite_sheet"),
-    Landmark("fig35g", "island", "sky_box"),
-    Landmark("fig35h", "island", "clip_plane"),
-    Landmark("fig35i", "island", "overlay"),
-    Landmark("dragon", "island", "display_list"),
-    Landmark("rabbit", "island", "ply_mesh"),
-    Landmark("gate", "island", "light_map"),
-    Landmark(FAR_SHORE, "island", "water"),
-    Landmark("hall_exhibit_volume", "hall", "shadow_volume"),
-    Landmark("hall_exhibit_soft", "hall", "accumulation"),
-    Landmark("hall_exhibit_blur", "hall", "accumulation"),
-    Landmark("hall_exhibit_focus", "hall", "accumulation"),
-    Landmark("hall_exhibit_lines", "hall", "polygon_modes"),
-    Landmark("hall_exhibit_solids", "hall", "stencil_mirror"),
-)
-NAMES = tuple(each.name for each in LANDMARKS)
+def place_of(landmark: Landmark, place: Place) -> tuple[float, float] | None:
+    """Return its x and z in units in an open scene; None in another, or where it has none."""
+    if place.kind.name != landmark.scene:
+        return None
+    view = place.kind.views.get(landmark.name)
+    if view is not None:
+        return view.pose.x, view.pose.z
+    if landmark.name == "gate":
+        return next(((door.x, door.z) for door in place.doors), None)
+    if f"{landmark.name}.x" not in declare.fields(type(place.settings)):
+        return None
+    x, z = (declare.get(place.settings, f"{landmark.name}.{axis}") for axis in "xz")
+    assert isinstance(x, int | float) and isinstance(z, int | float)
+    return float(x), float(z)
 
 
 class Found:
@@ -174,13 +140,14 @@ class Search:
         at = walker.x, walker.z
         ground = float(place.scene.height(*at))
         low = walker.y < ground + place.settings.walk.eye + LOW
-        near = NEAR.get(place.kind.name, 0.0)
         found = [
             each.name
             for each in LANDMARKS
-            if low and (where := each.place(place)) is not None and math.dist(where, at) < near
+            if low
+            and (where := place_of(each, place)) is not None
+            and math.dist(where, at) < each.near
         ]
-        return [*found, FAR_SHORE] if self._crossed(place, walker) else found
+        return [*found, FAR_SHORE.name] if self._crossed(place, walker) else found
 
     def _crossed(self, place: Place, walker: Walker) -> bool:
         """Return whether the walker has come through water to a shore far from where he went in."""
@@ -188,7 +155,7 @@ class Search:
         last, self._last = self._last, here
         leapt = last is None or last[0] != here[0] or math.dist(last[1:], here[1:]) > LEAP
         terrain = place.scene
-        if leapt or walker.flying or here[0] != "island" or not isinstance(terrain, Watery):
+        if leapt or walker.flying or here[0] != FAR_SHORE.scene or not isinstance(terrain, Watery):
             self._shore = None
             return False
         assert last is not None

@@ -8,10 +8,11 @@ import math
 from collections.abc import Callable, Sequence
 
 from framelens.inspector.keys import us_name
+from landscape.scene.landmarks import LANDMARKS, Landmark
 from landscape.sound.captions import arrow
 from landscape.walk import words
 from landscape.walk.keys import pick
-from landscape.walk.landmarks import LANDMARKS, Found, Landmark
+from landscape.walk.landmarks import Found, place_of, title_of
 from landscape.walk.place import Place
 from landscape.walk.settings_list import Line, Page
 from landscape.walk.walker import Walker
@@ -89,7 +90,7 @@ class LandmarksList:
                 lines.append(Line(words.text(language, f"title.{group}")))
             here = landmark is self.row
             value = FOUND if landmark.name in self.found.names else way(landmark, place, walker)
-            lines.append(Line(landmark.title(language), value or "–", "", here))
+            lines.append(Line(title_of(landmark, language), value or "–", "", here))
 
         known = self.row.name in self.found.names
         ways = "landmarks.read" if known else "landmarks.unknown"
@@ -105,12 +106,12 @@ class LandmarksList:
 
 def told(landmark: Landmark, language: str, tells: Teller) -> tuple[str, ...]:
     """Return a landmark's title, and the title and the paragraphs of its lesson."""
-    return landmark.title(language), *tells(landmark.lesson, language)
+    return title_of(landmark, language), *tells(landmark.lesson, language)
 
 
 def way(landmark: Landmark, place: Place, walker: Walker) -> str:
     """Return an arrow to a landmark and how far it is, "" if that is not known."""
-    at = landmark.place(place)
+    at = place_of(landmark, place)
     if at is None:
         return ""
     dx, dz = at[0] - walker.x, at[1] - walker.z

@@ -20,10 +20,11 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection
 from framelens.inspector.keys import system_name
 from framelens.inspector.panel import Panel, Plate, enlarged, keys_image
+from landscape.scene.landmarks import LANDMARKS
 from landscape.scene.scene import SCENES, find_view, scene
 from landscape.walk import last, words
 from landscape.walk.digits import help_rows
-from landscape.walk.landmarks import LANDMARKS, Found
+from landscape.walk.landmarks import Found, title_of
 from landscape.walk.landmarks_list import FOUND, Teller, nothing_told, told
 from landscape.walk.list_image import line_at, list_image
 from landscape.walk.pad import Pad
@@ -95,7 +96,7 @@ def landmark_entries(language: str, found: Found) -> list[Entry]:
     """Return all landmarks; a sign is beside those that have been found."""
     return [
         Entry(
-            each.title(language),
+            title_of(each, language),
             "landmark",
             each.name,
             FOUND if each.name in found.names else "–",

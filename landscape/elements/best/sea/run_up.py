@@ -8,9 +8,9 @@ far up the beach a place is, as a fraction of how far waves reach there; t is wh
 there, the same as that of the foam on the water (foam.py). The texture matrix moves t with the
 time: no vertex changes. Waves reach farther on a level beach, and not equally far along it.
 Passes, on the strip only and within FARTHEST of the eye: the ground multiplied by how dark it is;
-the sea's mirror image, projected onto it, by Fresnel's alpha and how wet it is; weed that the
-highest waves have left; foam, frayed by lace as that on the water.
-Cost: four layers on the strip; its cells are two triangles for each 0.04 x 0.04 units of beach.
+the sea's mirror image, projected onto it, by Fresnel's alpha and how wet it is; foam, and the weed
+that the highest waves have left, both frayed by lace as the foam on the water.
+Cost: three layers on the strip; its cells are two triangles for each 0.04 x 0.04 units of beach.
 Source: Jensen, Legakis, Dorsey 1999 (wet sand); Fournier and Reeves 1986 (waves ashore).
 State used: two texture units and their matrices, GL_BLEND, GL_POLYGON_OFFSET_FILL, no lighting.
 """
@@ -29,6 +29,7 @@ from landscape.elements.best.sea.mirror_image import Taken, projected
 from landscape.elements.settings import Settings
 from landscape.elements.sun import painted
 from landscape.frame import Frame
+from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.height_field import HeightField, lookup
 
 HEIGHT = 0.026  # chosen: units above the water that the highest wave climbs on a level beach
@@ -49,8 +50,7 @@ DARKEST = 0.74  # chosen: factor on wet sand, in addition to the band that is al
 SHINE = 0.85  # chosen: alpha of the mirror image at a grazing angle
 LACE_REPEAT = 5.3  # chosen: tiles of lace per unit
 WEED = (0.17, 0.13, 0.09)  # chosen: RGB of dry weed
-WEED_AT = 1.16  # chosen: reaches above the shoreline
-WEED_REPEAT = 3.1  # chosen: tiles per unit
+WEED_AT = 1.16  # chosen: reaches above the shoreline, where no wave's foam comes
 
 
 def front(time: np.ndarray) -> np.ndarray:
@@ -127,7 +127,6 @@ class Tile:
     places: np.ndarray
     alpha: np.ndarray
     triangles: np.ndarray
-    middle: np.ndarray
 
 
 def tiles(field: HeightField) -> list[Tile]:
@@ -173,16 +172,37 @@ def tiles(field: HeightField) -> list[Tile]:
                 looked_up[used].astype(np.float32),
                 alpha[used].astype(np.float32),
                 np.ascontiguousarray(own, np.uint32),
-                vertices[used].mean(axis=0),
             )
         )
     return out
 
 
-def weed_band() -> np.ndarray:
-    """Return the density of weed across the beach, (ACROSS,) of 0..0.5, none but at WEED_AT."""
+def joined(parts: list[Tile]) -> Tile:
+    """Return tiles as one, so that a pass is one call of glDrawElements."""
+    counts = [len(each.vertices) for each in parts]
+    firsts = np.cumsum([0, *counts[:-1]], dtype=np.uint32)
+    return Tile(
+        np.concatenate([each.vertices for each in parts]),
+        np.concatenate([each.places for each in parts]),
+        np.concatenate([each.alpha for each in parts]),
+        np.concatenate([each.triangles + first for each, first in zip(parts, firsts, strict=True)]),
+    )
+
+
+def debris(foam: np.ndarray) -> np.ndarray:
+    """Return foam (STEPS, ACROSS) and the weed above it as a texture, uint8 (STEPS, ACROSS, 4).
+
+    The density of weed across the beach is the same at all times.
+    """
     place = FIRST + (np.arange(ACROSS) + 0.5) / ACROSS * (LAST - FIRST)
-    return 0.42 * np.exp(-np.square((place - WEED_AT) / 0.09))
+    weed = 0.42 * np.exp(-np.square((place - WEED_AT) / 0.09))
+    weedy = place > 0.5 * (1.0 + WEED_AT)
+    colour = np.where(weedy[:, None], WEED, COLOUR)
+    density = np.where(weedy, weed, foam)
+    whole = np.empty((*foam.shape, 4))
+    whole[..., :3] = colour
+    whole[..., 3] = density
+    return np.rint(np.clip(whole, 0.0, 1.0) * 255).astype(np.uint8)
 
 
 def picture(colour: np.ndarray, alpha: np.ndarray) -> np.ndarray:
@@ -197,28 +217,32 @@ class RunUp:
     def __init__(self, field: HeightField) -> None:
         """Make the textures and the strip."""
         self._tiles = tiles(field)
-        self._middles = np.array([each.middle for each in self._tiles]).reshape(-1, 3)
+        lowest = np.array([each.vertices.min(axis=0) for each in self._tiles]).reshape(-1, 3)
+        highest = np.array([each.vertices.max(axis=0) for each in self._tiles]).reshape(-1, 3)
+        self._middles, self._halves = 0.5 * (lowest + highest), 0.5 * (highest - lowest)
+        self._joined: tuple[list[int], Tile] | None = None
         found = diagram()
-        white = np.ones_like(found.foam)
         dark = 1.0 - (1.0 - DARKEST) * found.wet
-        weed = np.broadcast_to(weed_band(), white.shape)
         self._wet = Texture(picture(dark, found.shine), trilinear=False)
-        self._foam = Texture(picture(white, found.foam), trilinear=False)
-        self._weed = Texture(picture(white, weed), trilinear=False)
+        self._debris = Texture(debris(found.foam), trilinear=False)
         threads = lace(seed=1912)
         self._lace = Texture(picture(np.ones_like(threads), threads), trilinear=False)
 
-    def near(self, frame: Frame) -> list[Tile]:
-        """Return the tiles within FARTHEST of the eye."""
-        if not len(self._tiles):
-            return []
+    def near(self, frame: Frame) -> Tile | None:
+        """Return the strip within FARTHEST of the eye and in view; none if there is no beach."""
         apart = np.hypot(*(self._middles[:, ::2] - frame.eye[[0, 2]]).T)
-        return [self._tiles[k] for k in np.flatnonzero(apart < FARTHEST + TILE)]
+        close = apart < FARTHEST + TILE
+        shown = np.flatnonzero(close & boxes_in_view(frame, self._middles, self._halves)).tolist()
+        if not shown:
+            return None
+        if self._joined is None or self._joined[0] != shown:
+            self._joined = shown, joined([self._tiles[k] for k in shown])
+        return self._joined[1]
 
     def draw(self, frame: Frame, settings: Settings, mirror: Taken | None) -> None:
         """Draw the strip near the eye; ``mirror`` is the sea's mirror image."""
-        found = self.near(frame)
-        if not found:
+        strip = self.near(frame)
+        if strip is None:
             return
         groups = gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
@@ -230,16 +254,14 @@ class RunUp:
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-1.0, -2.0)
             moved = frame.kt / PERIOD / len(WAVES) % 1.0
-            faded = [each.alpha * left(each, frame) for each in found]
-            self._darken(found, moved)
+            faded = strip.alpha * left(strip, frame)
+            self._darken(strip, moved)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             if mirror is not None:
-                self._mirror(frame, found, faded, moved, mirror)
-            light = painted(settings.sun, FACING)
-            self._frayed(self._weed, found, faded, 0.0, WEED_REPEAT, light * WEED)
-            self._frayed(self._foam, found, faded, moved, LACE_REPEAT, light * COLOUR)
+                self._mirror(frame, strip, faded, moved, mirror)
+            self._frayed(strip, faded, moved, painted(settings.sun, FACING))
 
-    def _darken(self, found: list[Tile], moved: float) -> None:
+    def _darken(self, strip: Tile, moved: float) -> None:
         """Multiply what is drawn by how dark wet sand is."""
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             gl.glDisable(gl.GL_FOG)
@@ -248,14 +270,13 @@ class RunUp:
             self._wet.bind()
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
             with moved_texture(moved):
-                for each in found:
-                    send(each, None, [each.places])
+                send(strip, None, [strip.places])
 
     def _mirror(
         self,
         frame: Frame,
-        found: list[Tile],
-        faded: list[np.ndarray],
+        strip: Tile,
+        faded: np.ndarray,
         moved: float,
         mirror: Taken,
     ) -> None:
@@ -268,44 +289,31 @@ class RunUp:
             combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS", "COMBINE_ALPHA": "MODULATE"})
             combine({"SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "TEXTURE"})
             with moved_texture(moved):
-                for each, alpha in zip(found, faded, strict=True):
-                    colors = np.ones((len(alpha), 4), np.float32)
-                    colors[:, 3] = alpha * SHINE * fresnel(each.vertices, frame.eye)
-                    send(each, colors, [each.vertices, each.places])
+                alpha = faded * SHINE * fresnel(strip.vertices, frame.eye)
+                send(strip, white(alpha), [strip.vertices, strip.places])
             gl.glActiveTexture(gl.GL_TEXTURE0)
 
-    def _frayed(
-        self,
-        texture: Texture,
-        found: list[Tile],
-        faded: list[np.ndarray],
-        moved: float,
-        repeat: float,
-        colour: np.ndarray,
-    ) -> None:
-        """Blend a colour where the texture's alpha and lace together are above one half."""
+    def _frayed(self, strip: Tile, faded: np.ndarray, moved: float, light: np.ndarray) -> None:
+        """Blend foam and weed where their density and that of lace together are above one half."""
+        colors = white(faded)
+        colors[:, :3] = light
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
-            texture.bind()
+            self._debris.bind()
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
             gl.glActiveTexture(gl.GL_TEXTURE1)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._lace.bind()
-            solid = np.array([*colour, 1.0], np.float32)
-            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, solid)
-            combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "CONSTANT"})
+            combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
             combine({"COMBINE_ALPHA": "ADD_SIGNED", "SRC0_ALPHA": "PREVIOUS"})
             combine({"SRC1_ALPHA": "TEXTURE"})
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
             gl.glMatrixMode(gl.GL_TEXTURE)
             with matrix():
-                gl.glScalef(repeat, repeat, 1.0)
+                gl.glScalef(LACE_REPEAT, LACE_REPEAT, 1.0)
                 gl.glActiveTexture(gl.GL_TEXTURE0)
                 with moved_texture(moved):
-                    for each, alpha in zip(found, faded, strict=True):
-                        colors = np.ones((len(alpha), 4), np.float32)
-                        colors[:, 3] = alpha
-                        send(each, colors, [each.places, each.vertices[:, ::2]])
+                    send(strip, colors, [strip.places, strip.vertices[:, ::2]])
                 gl.glActiveTexture(gl.GL_TEXTURE1)
                 gl.glMatrixMode(gl.GL_TEXTURE)
             gl.glActiveTexture(gl.GL_TEXTURE0)
@@ -313,7 +321,7 @@ class RunUp:
 
     def release(self) -> None:
         """Delete the textures; may be called twice."""
-        for each in (self._wet, self._foam, self._weed, self._lace):
+        for each in (self._wet, self._debris, self._lace):
             each.release()
 
 
@@ -338,6 +346,13 @@ def fresnel(vertices: np.ndarray, eye: np.ndarray) -> np.ndarray:
     view = eye - vertices
     facing = np.clip(view[:, 1] / np.maximum(np.linalg.norm(view, axis=1), 1e-9), 0.0, 1.0)
     return np.asarray(0.02 + 0.98 * (1.0 - facing) ** 5, np.float32)
+
+
+def white(alpha: np.ndarray) -> np.ndarray:
+    """Return white of alpha (n,), float32 (n, 4)."""
+    colors = np.ones((len(alpha), 4), np.float32)
+    colors[:, 3] = alpha
+    return colors
 
 
 def send(tile: Tile, colors: np.ndarray | None, layers: list[np.ndarray]) -> None:
