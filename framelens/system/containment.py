@@ -12,9 +12,13 @@ from collections.abc import Iterable
 if sys.platform == "linux":
     from framelens.system import capabilities, landlock, seccomp
 
-# Where programs and libraries are, and what they need of the system.
+# Where programs and libraries are, and what they need of the system. Of /usr and /opt not all: what
+# else lies there is somebody's.
 SYSTEM = (
-    *("/usr", "/lib", "/lib32", "/lib64", "/bin", "/sbin", "/nix/store", "/gnu/store", "/opt"),
+    *("/lib", "/lib32", "/lib64", "/bin", "/sbin", "/nix/store", "/gnu/store"),
+    *(f"/usr/{each}" for each in ("bin", "sbin", "lib", "lib32", "lib64", "libexec", "share")),
+    *(f"/usr/local/{each}" for each in ("bin", "sbin", "lib", "lib32", "lib64", "share")),
+    *("/opt/amdgpu", "/opt/amdgpu-pro", "/opt/VirtualGL"),
     *("/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d", "/etc/alternatives"),
     *("/etc/localtime", "/etc/fonts", "/etc/drirc", "/etc/glvnd", "/etc/OpenCL", "/etc/vulkan"),
     *("/proc/cpuinfo", "/proc/meminfo", "/proc/stat", "/proc/filesystems"),

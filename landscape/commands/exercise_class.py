@@ -1,6 +1,7 @@
 """`landscape exercise check` of a folder, a zip or several files: a class, graded side by side."""
 
 import argparse
+import os
 import shutil
 import sys
 from collections.abc import Sequence
@@ -167,6 +168,7 @@ def run(options: argparse.Namespace, language: str) -> int:
         again=options.again,
         contain=options.contain or AUTO,
         exercises=exercises.folder,
+        private=_private(options),
     )
     with Progress(len(found), options.quiet or options.json) as progress:
         with work(options) as (workers, _):
@@ -187,6 +189,14 @@ def run(options: argparse.Namespace, language: str) -> int:
 
 def _as_json(alike: Sequence[Likeness] | None) -> list[dict[str, Any]] | None:
     return as_json(alike) if alike is not None else None
+
+
+def _private(options: argparse.Namespace) -> list[str]:
+    """Return the files and folders of the class, of which its programs must read nothing."""
+    named = [*options.files, *options.out, options.worksheet, options.feedback]
+    places = {os.path.realpath(each) for each in named if each is not None}
+    around = {os.path.dirname(each) for each in places if not os.path.isdir(each)}
+    return sorted(places | around)
 
 
 def _check_outputs(options: argparse.Namespace) -> None:

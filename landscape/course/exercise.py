@@ -1,6 +1,7 @@
 """Checking a student's program: it is run beside the solution, and graded."""
 
 import ast
+import os
 import random
 import secrets
 import warnings
@@ -105,7 +106,8 @@ class Grader:
     ``seconds``: how long a program may take to its last frame. ``contain``: whether the system is
     to contain programs, "auto" where it can, "require" in any case, "none" (see sandbox.py).
     ``seed``: of the trials (trial.py), chosen by chance if it is left out, so that no program can
-    know them. ``shelf``: where the exercises lie.
+    know them. ``shelf``: where the exercises lie. ``private``: files and folders of which programs
+    must read nothing, such as those of a class; the folder of each program is so in any case.
     """
 
     def __init__(
@@ -114,8 +116,10 @@ class Grader:
         contain: str = AUTO,
         seed: int | None = None,
         shelf: Shelf = COURSE,
+        private: Sequence[str] = (),
     ) -> None:
         self._seconds = seconds
+        self._others = private
         self._sandbox = Sandbox(contain)
         self._seed = secrets.randbits(64) if seed is None else seed
         self._shelf = shelf
@@ -280,9 +284,9 @@ class Grader:
         return next((n for n in frames if not same_drawing(work.frame(n), again.frame(n))), None)
 
     def _private(self) -> list[str]:
-        """Return the folders in which a program must read nothing but itself."""
-        folders = [*self._shelf.own.values(), solutions.folder()]
-        return [str(each) for each in folders if each is not None]
+        """Return the files and folders of which a program must read nothing."""
+        folders = [self._shelf.folder, *self._shelf.own.values(), solutions.folder()]
+        return [*(os.path.realpath(each) for each in folders if each is not None), *self._others]
 
     def cause(self, path: Path, frame: int, language: str) -> dict[str, Any] | None:
         """Return why a frame of a program is as it is, as `landscape why --json`; None: not known.

@@ -1,10 +1,12 @@
 """What the system leaves to a program that is checked: which files it reads, and where it writes.
 
 It reads Python, the installed packages, the system's libraries and its own file; not this package,
-in which the solutions and the grader are, nor anybody's home, nor the folder in which the programs
-of others may lie. It writes into a folder of its own. framelens/system/containment.py does it.
+in which the solutions and the grader are, nor anybody's home, nor the folders in which the programs
+of others may lie, wherever that is. It writes into a folder of its own.
+framelens/system/containment.py does it.
 """
 
+import contextlib
 import os
 import re
 import sys
@@ -13,6 +15,7 @@ from functools import cache
 from pathlib import Path
 
 from framelens.system import containment
+from landscape.files.cache import folder as cache_folder
 
 # How far programs are contained: by the system, if it can; in any case; by Python alone.
 AUTO, REQUIRE, NONE = "auto", "require", "none"
@@ -21,6 +24,8 @@ CHOICES = (AUTO, REQUIRE, NONE)
 LANDLOCK, PYTHON = "landlock", "python"
 
 PACKAGE = Path(__file__).resolve().parents[2]
+# Of a folder into which Python is installed: in /usr and /opt others may have things, too.
+PARTS = ("bin", "lib", "lib32", "lib64", "share", "etc", "plugins", "ssl", "pyvenv.cfg")
 LIBRARY = re.compile(r"\s(/\S.*)$")
 # What a program needs of the environment: the rest may hold what is nobody's business.
 KEPT = re.compile(
@@ -43,30 +48,46 @@ def confine(
 ) -> None:
     """Leave this process what a program may have, and some files and folders more.
 
-    Nothing but the program is read in the folders that are ``private``. OSError if the system
-    cannot.
+    Nothing but the program is read in the folder in which it lies, nor in those that are
+    ``private``, files or folders. OSError if the system cannot.
     """
-    own = os.path.dirname(os.path.abspath(program)), os.getcwd()
-    seen, listed = _readable(*own, *private)
+    path = os.path.abspath(program)
+    beside = {os.path.dirname(path), os.path.dirname(os.path.realpath(path))}
+    seen, listed = _readable(os.getcwd(), frozenset(beside), *private)
     containment.confine(
         [*seen, str(program), *map(str, readable)], listed, list(map(str, writable))
     )
 
 
 @cache
-def _readable(*work: str) -> tuple[list[str], list[str]]:
+def _readable(cwd: str, beside: frozenset[str], *private: str) -> tuple[list[str], list[str]]:
     """Return the files and folders to read, and the folders of which only the names may be seen.
 
-    ``work``: where programs lie that are nobody else's business.
+    ``beside``: the folders of the program; with what lies around them they are nobody else's
+    business, nor is what is ``private``.
     """
     prefixes = {os.path.realpath(each) for each in (sys.prefix, sys.base_prefix, sys.exec_prefix)}
-    private = (os.path.expanduser("~"), *_courses(), *work)
-    hidden = {str(PACKAGE), *map(os.path.realpath, private)} - prefixes
+    python = {os.path.join(prefix, part) for prefix in prefixes for part in PARTS}
+    cached = cache_folder()
+    ours = str(PACKAGE), *_courses(), *_checkouts(python)
+    named = (
+        *(os.path.expanduser("~"), cwd, *private),
+        *(_around(each, python) for each in beside),
+        *([str(cached)] if cached is not None else []),
+    )
+    # Where modules are looked for, names must be seen.
+    entries = [os.path.realpath(each) for each in sys.path if os.path.isdir(each)]
+    needed = {os.path.realpath(each) for each in (*containment.SYSTEM, *python)}
+    needed.update(each for each in entries if any(_inside(each, part) for part in needed))
+    hidden = set(map(os.path.realpath, named)) - needed | set(map(os.path.realpath, ours))
     readable: set[str] = set()
     listed: set[str] = set()
-    for root in (*containment.SYSTEM, *prefixes, *_paths(prefixes, hidden), *_libraries()):
+    for root in (*containment.SYSTEM, *python, *_paths(python, hidden), *_libraries()):
         for path, whole in _parts(os.path.realpath(root), hidden):
-            (readable if whole else listed).add(path)
+            if whole:
+                readable.add(path)
+            elif any(_inside(path, entry) for entry in entries):
+                listed.add(path)
     return sorted(readable), sorted(listed)
 
 
@@ -78,24 +99,56 @@ def _courses() -> Iterator[str]:
             yield place
 
 
-def _paths(prefixes: Iterable[str], hidden: Iterable[str]) -> Iterator[str]:
+def _checkouts(python: Iterable[str]) -> Iterator[str]:
+    """Yield the checkouts of this program, which have the solutions in their history, too."""
+    for place in (str(PACKAGE), *_courses()):
+        folder = os.path.dirname(os.path.realpath(place))
+        if not any(_inside(folder, os.path.realpath(each)) for each in python) or os.path.exists(
+            os.path.join(folder, "pyproject.toml")
+        ):
+            yield folder
+
+
+def _around(folder: str, python: Iterable[str]) -> str:
+    """Return the highest folder around one in which nothing lies that programs need.
+
+    A program may lie in a folder of its student, beside those of the others.
+    """
+    needed = {
+        *map(os.path.realpath, (*containment.SYSTEM, *python, *sys.path)),
+        os.path.realpath(os.path.expanduser("~")),
+    }
+    found = os.path.realpath(folder)
+    while (parent := os.path.dirname(found)) != found:
+        if any(_inside(each, parent) for each in needed):
+            break
+        found = parent
+    return found
+
+
+def _paths(python: Iterable[str], hidden: Iterable[str]) -> Iterator[str]:
     """Yield where Python looks for modules beside its own folders, unless more lies there.
 
-    Of a checkout of this program only the package of tools: its folder has the history, too.
+    Of a checkout of this program only the package of tools.
     """
-    checkouts = {os.path.dirname(place) for place in _courses()}
+    checkouts = set(_checkouts(python))
     for entry in filter(os.path.isdir, sys.path):
-        if any(_inside(entry, prefix) for prefix in prefixes):
-            yield entry
-        elif entry in checkouts:
+        place = os.path.realpath(entry)
+        if place in checkouts:
             yield os.path.join(entry, "framelens")
-        elif not any(_inside(each, os.path.realpath(entry)) for each in hidden):
+            continue
+        of_python = any(_inside(place, os.path.realpath(each)) for each in python)
+        if of_python or not any(_inside(each, place) for each in hidden):
             yield entry
 
 
 def _libraries() -> Iterator[str]:
     """Yield the libraries that this process has loaded, and the folders that are searched."""
     yield from filter(None, os.environ.get("LD_LIBRARY_PATH", "").split(os.pathsep))
+    for file in Path("/etc/ld.so.conf.d").glob("*.conf"):
+        with contextlib.suppress(OSError):
+            lines = file.read_text(errors="surrogateescape").splitlines()
+            yield from (line.strip() for line in lines if line.startswith("/"))
     lines = Path("/proc/self/maps").read_text(errors="surrogateescape").splitlines()
     for line in lines:
         if (found := LIBRARY.search(line)) and ".so" in found[1]:
@@ -113,7 +166,7 @@ def _parts(root: str, hidden: Iterable[str]) -> Iterator[tuple[str, bool]]:
         yield root, True
         return
     yield root, False
-    with os.scandir(root) as entries:
+    with contextlib.suppress(OSError), os.scandir(root) as entries:
         for entry in entries:
             if not entry.is_symlink():
                 yield from _parts(entry.path, hidden)

@@ -70,8 +70,8 @@ class Job:
 
     Without ``calls`` only the pictures of the frames are taken. One that is ``trusted`` is the
     course's own. With a language, the cause is asked for why its last frame looks as it does
-    (framelens/why), instead of evidence. ``private`` are folders in which it must read nothing but
-    itself. With ``again`` what is needed to draw the frames again is sent, too. With ``recorded``,
+    (framelens/why), instead of evidence. ``private`` are files and folders of which it must read
+    nothing. With ``again`` what is needed to draw the frames again is sent, too. With ``recorded``,
     a file, the program plays one of its takes (recorded.py).
     """
 
@@ -152,8 +152,15 @@ class Sandbox:
             self._place = Workplace()
         try:
             with self._place.parts(len(jobs)) as places:
+                # Programs get a home of their own; other graders' lie in the temporary folder.
+                hidden = os.path.expanduser("~"), tempfile.gettempdir(), str(self._place.folder)
                 asked = [
-                    {**asdict(job), "folder": str(place), "cwd": os.getcwd()}
+                    {
+                        **asdict(job),
+                        "folder": str(place),
+                        "cwd": os.getcwd(),
+                        "private": [*job.private, *hidden],
+                    }
                     for job, place in zip(jobs, places, strict=True)
                 ]
                 ends = self._forked(asked) if limits.FORKS else _spawned(asked, self.contain)

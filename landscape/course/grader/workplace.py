@@ -26,9 +26,13 @@ class Workplace:
 
     def __init__(self) -> None:
         _delete_abandoned()
-        self.folder = Path(tempfile.mkdtemp(prefix=PREFIX)).resolve()
-        self._lock = os.open(self.folder / LOCK, os.O_RDWR | os.O_CREAT)
-        _take(self._lock)
+        while True:
+            self.folder = Path(tempfile.mkdtemp(prefix=PREFIX)).resolve()
+            self._lock = os.open(self.folder / LOCK, os.O_RDWR | os.O_CREAT)
+            # Another sandbox that begins may have found the lock before it was taken.
+            if _take(self._lock) and (self.folder / LOCK).exists():
+                break
+            os.close(self._lock)
         self._count = 0
 
     @contextlib.contextmanager

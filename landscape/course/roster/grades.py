@@ -1,9 +1,9 @@
 """Grading the submissions of a class, side by side: a row each, never a stop."""
 
+import atexit
 import json
 import pickle
 import re
-import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing
@@ -28,6 +28,7 @@ from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import Hint, _
 from landscape.course.grader.heat_map import heat_map
 from landscape.course.grader.troubles import LONGEST, sentence
+from landscape.course.grader.workplace import Workplace
 from landscape.course.roster.submissions import Submission, late
 from landscape.course.shelf import Shelf
 from landscape.files.cache import code_below, content, recall
@@ -78,7 +79,8 @@ class Rules:
 
     Where it is None, each test is worth its own points, one by default. ``version`` is told in each
     row. ``again``: files that have not changed are run, too. ``contain``: as of a Grader.
-    ``exercises``: the folder of a lecturer's own exercises, which every worker reads.
+    ``exercises``: the folder of a lecturer's own exercises, which every worker reads. ``private``:
+    files and folders of which programs must read nothing, those of the class.
     """
 
     language: str = "en"
@@ -88,6 +90,7 @@ class Rules:
     again: bool = False
     contain: str = AUTO
     exercises: Path | None = None
+    private: Sequence[str] = ()
 
 
 def grade_class(
@@ -148,10 +151,13 @@ def _given(
 def grade(rules: Rules, data: bytes) -> tuple[dict[str, Any], bytes]:
     """Return the values of a program's row, and its picture: a task for any executor."""
     shelf = Shelf(rules.exercises)
-    key = pickle.dumps((replace(rules, again=False), _code(shelf, rules.language)))
+    # A program is given the same wherever the class lies.
+    key = pickle.dumps((replace(rules, again=False, private=()), _code(shelf, rules.language)))
 
     def make() -> tuple[np.ndarray, ...]:
-        with _open.opened(key, lambda: _Opened(rules, shelf)) as opened:
+        with _open.opened(
+            key + pickle.dumps(rules.private), lambda: _Opened(rules, shelf)
+        ) as opened:
             values, picture = opened.graded(data)
         text = json.dumps(values).encode()
         return np.frombuffer(text, np.uint8), np.frombuffer(picture, np.uint8)
@@ -185,12 +191,14 @@ class _Opened:
 
     def __init__(self, rules: Rules, shelf: Shelf) -> None:
         self._rules = rules
-        self._grader = Grader(rules.seconds, rules.contain, shelf=shelf)
-        self._folder = tempfile.TemporaryDirectory(prefix="landscape-class-")
+        self._grader = Grader(rules.seconds, rules.contain, shelf=shelf, private=rules.private)
+        # Where what a killed worker leaves is deleted by the next.
+        self._place = Workplace()
+        atexit.register(self.close)  # a worker keeps it until it ends
 
     def graded(self, data: bytes) -> tuple[dict[str, Any], bytes]:
         """Return the values of a program's row, and its picture as a PNG."""
-        path = Path(self._folder.name) / "program.py"
+        path = self._place.folder / "program.py"
         path.write_bytes(data)
         began = monotonic()
         try:
@@ -204,9 +212,10 @@ class _Opened:
         return values, _picture(report)
 
     def close(self) -> None:
-        """End the grader's processes and delete its files."""
+        """End the grader's processes and delete its files; may be called twice."""
+        atexit.unregister(self.close)
         self._grader.__exit__()
-        self._folder.cleanup()
+        self._place.close()
 
 
 _open: Kept[_Opened] = Kept()
