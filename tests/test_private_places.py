@@ -16,7 +16,7 @@ from framelens.system import containment
 from landscape.commands import exercise_class
 from landscape.course.exercise import Grader, Report
 from landscape.course.grader import confinement, workplace
-from landscape.course.grader.confinement import LANDLOCK, REQUIRE
+from landscape.course.grader.confinement import LANDLOCK, NONE, REQUIRE
 from landscape.course.roster.grades import Rules, grade_class
 from landscape.course.roster.submissions import submissions
 from landscape.course.shelf import FOLDER, exercise
@@ -127,6 +127,24 @@ def test_a_class_that_is_graded_is_hidden_with_its_tables(
     (graded,) = grade_class([each], Rules(contain=REQUIRE, private=private), jobs=1)
     assert graded.row.passed and graded.row.contained == LANDLOCK, graded.row.error
     assert not list(temporary.iterdir()), "workers delete what they wrote"
+
+
+@pytest.mark.seldom(2)
+def test_python_alone_refuses_the_class_and_reads_itself_inside_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other, mine = tmp_path / "class" / "bob.py", tmp_path / "mine.py"
+    modules = tmp_path / "class" / "modules"
+    modules.mkdir(parents=True)
+    other.write_text(SOLUTION)
+    (modules / "late_module.py").write_text("")
+    monkeypatch.setenv("PYTHONPATH", f"{modules}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
+    with Grader(SECONDS, NONE, private=[str(tmp_path / "class")]) as grader:
+        mine.write_text(SOLUTION.replace("import sys\n", "import sys, late_module\n", 1))
+        assert grader.check(mine).passed
+        mine.write_text(SOLUTION.replace("import sys\n", f"import sys\nopen({str(other)!r})\n", 1))
+        error = grader.check(mine).error
+    assert error is not None and error["word"] == "read"
 
 
 @pytest.mark.seldom(2)

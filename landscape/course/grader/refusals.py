@@ -53,12 +53,19 @@ NAMES = {
 HIDDEN = Path(__file__).resolve().parents[1] / "exercises"
 
 
+def _begin(folder: str) -> str:
+    """Return how the paths of what is in a folder begin."""
+    return os.path.join(os.path.realpath(folder), "")
+
+
 class Refusals:
     """The hook; ``refused`` is the last thing it refused: a word of NAMES, or ""."""
 
     def __init__(self, path: str, folder: str, private: Sequence[str] = ()) -> None:
         self._path, self._folder = path, os.path.realpath(folder) + os.sep
-        self._private = [f"{os.path.realpath(each)}{os.sep}" for each in (str(HIDDEN), *private)]
+        self._private = list(map(_begin, (str(HIDDEN), *private)))
+        # Python itself may lie in a folder of the user's.
+        self._needed = list(map(_begin, (sys.prefix, sys.base_prefix, *sys.path, folder)))
         self._armed = False
         self.refused = ""
 
@@ -86,10 +93,13 @@ class Refusals:
             self._refuse("network")
 
     def _hides(self, path: str) -> bool:
-        """Return whether a file is one of the exercises', other than the program itself."""
+        """Return whether a file is private, other than the program itself."""
         place = os.path.realpath(path)
-        inside = any(place.startswith(folder) for folder in self._private)
-        return inside and place != os.path.realpath(self._path)
+        inside = max(
+            (len(each) for each in self._private if f"{place}{os.sep}".startswith(each)), default=0
+        )
+        needed = max((len(each) for each in self._needed if place.startswith(each)), default=0)
+        return inside > needed and place != os.path.realpath(self._path)
 
     def _change(self, args: Sequence[Any], paths: int, folders: int, follows: bool) -> None:
         """Refuse to change what is named, unless it is in the folder."""

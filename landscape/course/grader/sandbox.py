@@ -159,7 +159,7 @@ class Sandbox:
                         **asdict(job),
                         "folder": str(place),
                         "cwd": os.getcwd(),
-                        "private": [*job.private, *hidden],
+                        "hidden": [*job.private, *hidden],
                     }
                     for job, place in zip(jobs, places, strict=True)
                 ]

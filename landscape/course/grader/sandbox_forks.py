@@ -116,7 +116,8 @@ def _opens(ours: Prepared) -> bool:
         own = path.parent / "own"
         own.mkdir()
         job = Job(str(path), [0], calls=False)
-        (found,) = _run([{**asdict(job), "folder": str(own), "cwd": os.getcwd()}], ours)
+        asked = {**asdict(job), "folder": str(own), "cwd": os.getcwd(), "hidden": []}
+        (found,) = _run([asked], ours)
     answer = received(bytes(found.data))
     return answer is not None and "frames" in answer[0]
 

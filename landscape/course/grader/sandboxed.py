@@ -163,7 +163,7 @@ def _confine(job: dict[str, Any], folder: Path, ours: Prepared) -> None:
     written = shader_cache.use(ours.shaders, folder, job["trusted"])
     os.environ["HOME"] = str(folder)
     readable = [ours.shaders] if ours.shaders is not None else []
-    confinement.confine(Path(job["path"]), readable, [folder, *written], job["private"])
+    confinement.confine(Path(job["path"]), readable, [folder, *written], job["hidden"])
 
 
 def main(parent: int, contain: str) -> None:
