@@ -89,6 +89,9 @@ def scaled(pixels: int, scale: float) -> int:
     return max(math.ceil(pixels * scale - 1e-6), 1)
 
 
+LARGEST = 16384  # pixels a side: the largest viewport of llvmpipe
+
+
 @dataclass(frozen=True)
 class Tile:
     """The part of a large picture that is drawn, in pixels from its lower left corner.
@@ -100,6 +103,10 @@ class Tile:
     x: int
     y: int
     block: tuple[int, int, int, int]
+
+    def cuts(self, size: tuple[int, int]) -> bool:
+        """Return whether the block is less than a picture of ``size`` pixels."""
+        return self.block[2:] != size
 
 
 @dataclass(frozen=True)

@@ -21,12 +21,12 @@ import numpy as np
 from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import Output
 from landscape.files.png_strips import PngStrips
-from landscape.frame import Detail, Tile
+from landscape.frame import LARGEST, Detail, Tile
 from landscape.offscreen import Offscreen, Place, found
 from landscape.scene.scene import SCENES, scene
 
 TILE = 2048, 1024  # pixels, chosen: a strip of 16,384 pixels takes 50 MB
-BLOCK = 16384  # pixels a side: the largest viewport of llvmpipe
+BLOCK = LARGEST  # pixels a side
 MOST = 65536  # pixels a side, chosen
 
 
@@ -96,13 +96,14 @@ class _Opened:
     def tile(self, corner: tuple[int, int]) -> np.ndarray:
         """Return a tile."""
         offscreen, (width, height) = self._offscreen, self._size
-        # Blocks are cut from the lower left corner, as OpenGL counts.
-        x, y = corner[0], height - corner[1] - offscreen.size[1]
-        block = _block(x, width, offscreen.size[0]), _block(max(y, 0), height, offscreen.size[1])
-        (left, across), (low, up) = block
+        # Blocks are cut from the upper left corner, as tiles are: none lies in two of them.
+        left, across = _block(corner[0], width, offscreen.size[0])
+        top, up = _block(corner[1], height, offscreen.size[1])
         # The mirror image is that of the block, and the same for all its tiles.
         detail = Detail(mirror=Detail().mirror * across / width)
-        tile = Tile(x, y, (left, low, across, up))
+        # OpenGL counts from the lower left corner.
+        low = height - top - up
+        tile = Tile(corner[0], height - corner[1] - offscreen.size[1], (left, low, across, up))
         moment = replace(offscreen.moment, size=self._size, tile=tile, detail=detail)
         opened = offscreen.scene
         assert opened is not None

@@ -18,7 +18,7 @@ from landscape.film.stage import Drawing
 from landscape.frame import Pose
 from landscape.offscreen import Offscreen
 from landscape.passes import FARTHEST, passes
-from landscape.scene.scene import Moment
+from landscape.scene.scene import Moment, scene
 
 SIZE = (200, 120)
 ASKED = {"preset": "2006", "settings": SMALL, "samples": 0}
@@ -27,9 +27,9 @@ ASKED = {"preset": "2006", "settings": SMALL, "samples": 0}
 # ---- posters
 
 
-def drawn_in_tiles(view: str, out: Path, size: tuple[int, int] = SIZE, **more) -> np.ndarray:
+def drawn_in_tiles(view: str, out: Path, tile: tuple[int, int] = (64, 48), **more) -> np.ndarray:
     need_library("OSMesa")
-    poster.draw(view, size, out, {**ASKED, **more}, tile=(64, 48))
+    poster.draw(view, SIZE, out, {**ASKED, **more}, tile=tile)
     with Image.open(out) as image:
         return np.asarray(image)
 
@@ -58,10 +58,11 @@ def test_a_poster_is_the_picture_drawn_whole(
     if view == "fig2a":
         assert not differ.any()
     assert (differ > 1).mean() < 0.01 and (differ > 8).mean() < 0.002
-    # What is larger than a viewport is cut into blocks, with a frustum each.
-    monkeypatch.setattr(poster, "BLOCK", 128)
-    blocks = drawn_in_tiles(view, tmp_path / "b.png")
-    assert (np.abs(blocks.astype(int) - whole).max(axis=2) > 8).mean() < 0.02
+    # What is larger than a viewport is cut into blocks, with a frustum each: across, and down, too.
+    for most, tile in ((128, (64, 48)), (96, (32, 32))):
+        monkeypatch.setattr(poster, "BLOCK", most)
+        blocks = drawn_in_tiles(view, tmp_path / "b.png", tile)
+        assert (np.abs(blocks.astype(int) - whole).max(axis=2) > 8).mean() < 0.02
 
 
 def test_what_is_clipped_by_pixels_is_clipped_in_tiles_too(tmp_path: Path) -> None:
@@ -72,6 +73,28 @@ def test_what_is_clipped_by_pixels_is_clipped_in_tiles_too(tmp_path: Path) -> No
     whole = drawn_whole("hall", **asked)
     assert len(np.unique(whole)) > 50
     assert (np.abs(tiled.astype(int) - whole).max(axis=2) > 2).mean() < 0.001
+
+
+@pytest.mark.seldom(4)
+@pytest.mark.slow
+def test_what_is_laid_over_the_blocks_is_drawn_in_tiles_and_refused_in_blocks(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The regions' inset is one picture's corner, and would be in each block's."""
+    need_library("OSMesa")
+    asked = {"samples": 0, "settings": {"voxel.regions": 4}}
+    poster.draw("voxel_regions", SIZE, tmp_path / "a.png", asked, tile=(64, 48))
+    with Image.open(tmp_path / "a.png") as image:
+        tiled = np.asarray(image).astype(int)
+    shown = tuple(name for name in scene("voxel").elements if name not in scene("voxel").overlay)
+    with Offscreen(SIZE, **asked, only=shown) as offscreen:
+        offscreen.look("voxel_regions")
+        whole = offscreen.draw()
+    assert (np.abs(tiled - whole).max(axis=2) > 8).mean() < 0.01
+    monkeypatch.setattr(poster, "BLOCK", 128)
+    with pytest.raises(InputError, match=r"--poster: expected at most 16384 .* debug\.regions"):
+        poster.draw("voxel_regions", SIZE, tmp_path / "b.png", asked, tile=(64, 48))
+    assert not (tmp_path / "b.png").exists()
 
 
 def test_a_poster_is_refused_where_it_cannot_be_drawn(shell: Shell, tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from framelens.base.errors import InputError
 from framelens.gl.seam import begin_pass, drawing, gl
 from framelens.gl.state import attrib
 from landscape.elements import sun
@@ -16,7 +17,7 @@ from landscape.elements.element import Elements, OfElements, Slot
 from landscape.elements.settings import Fog
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
-from landscape.frame import Frame, Pose
+from landscape.frame import LARGEST, Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
 from landscape.scene.scene import SEED, Moment, SceneOf, begin_frame
@@ -301,6 +302,13 @@ class Voxel(Played, Ground, OfElements[Settings]):
             self.outside.release()
         if "land" not in self.shown or not (values.regions or values.edges or textures):
             return
+        if frame.tile is not None and frame.tile.cuts(frame.size) and (values.regions or textures):
+            # What is laid over the picture would be drawn anew in each block of it.
+            raise InputError(
+                "--poster: expected at most {most} pixels a side with {names}",
+                most=LARGEST,
+                names="debug.regions, debug.textures or debug.picture",
+            )
         choice = land.choose(clip, frame.eye, self._around, *self._detail(frame))
 
         with drawing("land"):
