@@ -1,0 +1,146 @@
+"""Measure what it costs to draw a film in parts, or by an engine.
+
+    python scripts/film_costs.py pairs --ways plain,parts --words fig35a --preset 2006 --jobs 2
+    python scripts/film_costs.py pairs --ways plain,engine --engine FILE.json --words fig35a
+    python scripts/film_costs.py empty --jobs 2
+    PYTHONPATH=scripts python scripts/film_costs.py empty --engine FILE.json
+
+``pairs`` draws a film in several ways in turn, each a command of its own, and compares each with
+the first way of its round. The time of a film of a tenth of a second is measured, too, and taken
+off: that is what starting costs. ``empty`` schedules, encodes and joins a long film of black
+pictures, which cost nothing to draw, and says how long it took and the most memory of a process.
+The workers of an engine, which is there already, need PYTHONPATH=scripts for that, too.
+"""
+
+import argparse
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+from typing import ClassVar
+
+import numpy as np
+
+from framelens.base.engine import Engine, engine
+from framelens.base.executor import lent_or_own
+from landscape.film.cut import Film, Part
+from landscape.film.parted import draw, join
+from landscape.film.stage import Drawing, Stage
+from landscape.maker import maker
+
+FPS = 30
+SHORT = 0.1  # seconds, the least of a film
+
+
+@dataclass(frozen=True)
+class Black:
+    """Black pictures."""
+
+    seconds: float
+    needs_opengl: ClassVar[bool] = False
+
+    def open(self, stage: Stage) -> Callable[[float], np.ndarray]:
+        """Return the function that draws them."""
+        picture = np.zeros((*stage.size[::-1], 3), np.uint8)
+        return lambda seconds: picture
+
+
+def pairs(options: argparse.Namespace) -> int:
+    """Draw a film in turns in each way, and print how much longer than the first each takes."""
+    ways = options.ways.split(",")
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        starts = {way: [taken(way, options, SHORT, folder) for _ in range(3)] for way in ways}
+        start = {way: statistics.median(found) for way, found in starts.items()}
+        print("start:", ", ".join(f"{way} {start[way]:.2f} s" for way in ways), flush=True)
+        more: dict[str, list[float]] = {way: [] for way in ways}
+        for number in range(options.pairs):
+            order = ways if number % 2 == 0 else ways[::-1]
+            took = {way: taken(way, options, options.seconds, folder) for way in order}
+            first = took[ways[0]] - start[ways[0]]
+            for way in ways:
+                more[way].append((took[way] - start[way]) / first - 1)
+            print(", ".join(f"{way} {took[way]:.2f} s" for way in ways), flush=True)
+    for way in ways[1:]:
+        low, high = min(more[way]), max(more[way])
+        middle = statistics.median(more[way])
+        print(f"{way}: {middle:+.1%} ({low:+.1%} to {high:+.1%}), without what starting takes")
+    return 0
+
+
+def taken(way: str, options: argparse.Namespace, seconds: float, folder: Path) -> float:
+    """Draw a film by a command; return the seconds that it took."""
+    with tempfile.TemporaryDirectory(dir=folder) as place:
+        words = ["--fps", str(FPS), "--seconds", f"{seconds:g}", "-q", "--out", f"{place}/film.mp4"]
+        words += ["--engine", options.engine] if "engine" in way else ["--jobs", str(options.jobs)]
+        words += ["--parts", f"{place}/parts"] if "parts" in way else []
+        command = [sys.executable, "-m", "landscape", "film", *options.words, *words]
+        begun = time.monotonic()
+        subprocess.run(command, check=True, env={**os.environ, "LP_NUM_THREADS": "0"})
+        return time.monotonic() - begun
+
+
+def empty(options: argparse.Namespace) -> int:
+    """Draw a long film of black pictures in parts, and join them."""
+    from film_costs import Black as Known  # as the workers find it
+
+    width, height = map(int, options.size.split("x"))
+    film = Film(
+        (Part(Known(options.frames / FPS)),), Drawing((width, height), samples=0), Fraction(FPS)
+    )
+    with tempfile.TemporaryDirectory() as place, opened(options.engine) as workers:
+        jobs = options.jobs if workers is None else workers.workers
+        begun = time.monotonic()
+        parting = draw(
+            film, Path(place) / "parts", ".mp4", partial(lent_or_own, workers, jobs), jobs
+        )
+        drawn = time.monotonic()
+        join(parting.parts, Path(place) / "film.mp4")
+        joined = time.monotonic()
+        size = (Path(place) / "film.mp4").stat().st_size
+    print(
+        f"{film.frames} frames in {parting.parts.plan.parts} parts: {drawn - begun:.1f} s, "
+        f"joined in {joined - drawn:.1f} s, {size / 1e6:.1f} MB"
+    )
+    processes = {"this process": resource.RUSAGE_SELF, "a worker": resource.RUSAGE_CHILDREN}
+    if options.engine is not None:
+        del processes["a worker"]  # it is none of this command's
+    for name, who in processes.items():
+        print(f"{name}: at most {resource.getrusage(who).ru_maxrss / 1024:.0f} MB")
+    return 0
+
+
+@contextmanager
+def opened(address: str | None) -> Iterator[Engine | None]:
+    """Provide the engine of an address, or None."""
+    with nullcontext() if address is None else engine(address, maker, print) as found:
+        yield found
+
+
+def main() -> int:
+    """Measure one of the two."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("what", choices=("pairs", "empty"))
+    parser.add_argument("--ways", default="plain,parts", help="plain, parts, engine, engine+parts")
+    parser.add_argument("--pairs", type=int, default=5)
+    parser.add_argument("--seconds", type=float, default=8.0)
+    parser.add_argument("--frames", type=int, default=100_000)
+    parser.add_argument("--size", default="16x16", help="of empty frames")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--engine", help="a scheduler's address or file")
+    parser.add_argument("--words", nargs=argparse.REMAINDER, default=[], help="of the film")
+    options = parser.parse_args()
+    return pairs(options) if options.what == "pairs" else empty(options)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
