@@ -698,15 +698,16 @@ def test_a_class_is_graded_to_its_end_whatever_one_program_does(
     head = HEAD.format(home="", other="", course="", grader=0, port=port)
     bad = SOLUTION.replace("import sys\n", f"import sys\n{head}{ATTACKS[DEFECT]}", 1)
     odd = f"# coding: rot13\n{SOLUTION}"  # a codec, but of no text
+    slow = f"# coding: punycode\n{SOLUTION}{'a' * 400_000}-{'a' * 400_000}"
     found = [
         Submission(name, file=f"{name}.py", data=code.encode())
-        for name, code in (("bad", bad), ("odd", odd), ("good", SOLUTION))
+        for name, code in (("bad", bad), ("odd", odd), ("slow", slow), ("good", SOLUTION))
     ]
     rows = [each.row for each in grade_class(found, Rules(contain=REQUIRE), jobs=1)]
     passed = [(row.student, row.passed) for row in rows]
-    assert passed == [("bad", False), ("odd", False), ("good", True)]
-    assert rows[0].error and rows[2].contained == LANDLOCK
-    assert rows[1].error == "is not text, expected a Python program"
+    assert passed == [("bad", False), ("odd", False), ("slow", False), ("good", True)]
+    assert rows[0].error and rows[3].contained == LANDLOCK
+    assert rows[1].error == rows[2].error == "is not text, expected a Python program"
 
 
 def test_a_class_is_graded_to_its_end_whatever_is_wrong_in_the_grader(

@@ -133,10 +133,54 @@ def test_a_zip_that_unpacks_to_too_much_is_refused_before_it_takes_the_memory(
     two = {"a/mine.py": " " * 3000, "b/mine.py": " " * 3000}
     with pytest.raises(InputError, match=said):
         submissions([zipped(tmp_path / "two.zip", two)])
-    nested = {"a/mine.py": " " * 3000, "b/work.zip": inner.getvalue(), "c/picture.png": " " * 9000}
-    found = submissions([zipped(tmp_path / "nested.zip", nested)])
-    assert [each.data is None for each in found] == [False, True, True]
-    assert said in str(found[1].error), "the third handed in no program"
+    nested = {"a/mine.py": " " * 3000, "b/work.zip": inner.getvalue()}
+    with pytest.raises(InputError, match=said):
+        submissions([zipped(tmp_path / "nested.zip", nested)])
+
+
+def inner_zip(files: dict[str, str | bytes]) -> bytes:
+    whole = io.BytesIO()
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in files.items():
+            archive.writestr(name, data)
+    return whole.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("handed_in", "said"),
+    [
+        ({"work.zip": inner_zip({f"{n}.py": b"#" * 1_000_000 for n in range(9)})}, "at most 4 MB"),
+        ({f"{n}.py": b"#" * 1_000_000 for n in range(9)}, "at most 4 MB"),
+        ({"work.zip": inner_zip({f"{n}.py": "x" for n in range(99)})}, "more than 50 programs"),
+        ({f"lib/{n}.py": "x" for n in range(99)}, "more than 50 programs"),
+        ({"mine.py/": ""}, "handed in no program"),
+        ({"work.zip": inner_zip({"mine.py/": ""})}, "handed in no program"),
+    ],
+)
+@pytest.mark.parametrize("kind", ["zip", "folder"])
+def test_what_one_student_hands_in_takes_nothing_from_the_others(
+    handed_in: dict[str, bytes], said: str, kind: str, tmp_path: Path
+) -> None:
+    others = {"bob/work.zip": inner_zip({"mine.py": "bob"}), "cy/mine.py": b"cy"}
+    files = {f"ada/{name}": data for name, data in handed_in.items()} | others
+    path = zipped(tmp_path / "class.zip", files)
+    if kind == "folder":
+        path = tmp_path / "class"
+        zipfile.ZipFile(tmp_path / "class.zip").extractall(path)
+    found = submissions([path])
+    assert [each.data for each in found[-2:]] == [b"bob", b"cy"]
+    assert said in str(found[-3].error) and found[-3].student == "ada"
+
+
+def test_a_zip_that_asks_for_gigabytes_to_unpack_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def read(*_: object) -> bytes:
+        raise MemoryError
+
+    monkeypatch.setattr(zipfile.ZipExtFile, "read", read)
+    (found,) = submissions([zipped(tmp_path / "class.zip", {"mine.py": "x"})])
+    assert "is damaged or encrypted" in str(found.error)
 
 
 CLASS = {

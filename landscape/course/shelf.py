@@ -5,6 +5,7 @@ An exercise is a folder of its name, whoever wrote it; docs/exercises.md says wh
 """
 
 import ast
+import codecs
 import io
 import re
 import textwrap
@@ -69,6 +70,7 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,59}")  # of an exercise: a folder, a
 PARTS = ("start.py", "solution.py", "grading.py")  # what every exercise has
 HIDDEN = "hidden.py"  # tests that students do not see: an exercise may have some
 MOST_BYTES = 1 << 20  # chosen: of a program
+SLOW = ("idna", "punycode")  # encodings that take hours for a long text
 COLUMNS = 92  # chosen: of the task in a program
 
 
@@ -206,6 +208,8 @@ def source(path: Path) -> str:
     data = read_bounded(path, MOST_BYTES)
     try:
         encoding, _lines = tokenize.detect_encoding(io.BytesIO(data).readline)
+        if codecs.lookup(encoding).name in SLOW:
+            raise ValueError(encoding)
         return data.decode(encoding)
     except (LookupError, SyntaxError, ValueError):  # LookupError: a codec of no text, as rot13
         raise InputError("{path}: is not text, expected a Python program", path=path) from None

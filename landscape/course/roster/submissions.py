@@ -11,9 +11,10 @@ import struct
 import unicodedata
 import zipfile
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
+from functools import partial
 from pathlib import Path, PurePosixPath
 
 from framelens.base.errors import InputError, reason
@@ -24,12 +25,15 @@ from landscape.course.shelf import MOST_BYTES
 MOST_ZIP_BYTES = 1 << 28  # chosen: of a zip of a class
 MOST_FILES = 20_000  # chosen: in a zip or a folder
 MOST_UNPACKED = 1 << 28  # bytes, chosen: of all programs in a zip or a folder, and in zips in it
+MOST_OF_STUDENT = 1 << 22  # bytes, chosen: of all programs and zips of a student
+MOST_PROGRAMS = 50  # chosen: of a student; a folder of installed packages has thousands
 KINDS = (".py", ".zip")  # what is read
 # What zipfile raises, which has no common error: RuntimeError is for a password,
-# NotImplementedError for a method, ValueError for a file that begins before the zip does.
+# NotImplementedError for a method, ValueError for a file that begins before the zip does, and
+# MemoryError for an LZMA's dictionary of some gigabytes.
 UNREADABLE = (
     *(zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, EOFError, OSError),
-    *(RuntimeError, NotImplementedError, ValueError, OverflowError),
+    *(RuntimeError, NotImplementedError, ValueError, OverflowError, MemoryError),
 )
 UTF_8 = 1 << 11  # the flag of a name that is not in code page 437
 # Of a zip's directory: names that are no student's, as the systems of their makers leave them.
@@ -53,20 +57,20 @@ class Submission:
 
 
 class _Room:
-    """How many bytes of programs may still be read of what the user names."""
+    """How many bytes of programs may still be read of what the user names, or of a student."""
 
-    def __init__(self, name: str) -> None:
-        self._name, self._left = name, MOST_UNPACKED
+    def __init__(self, name: str, most: int) -> None:
+        self._name, self._most, self._left = name, most, most
 
     def take(self, data: bytes) -> bytes:
         """Return the bytes; InputError if they are too many."""
-        self._left -= len(data)
-        if self._left < 0:
+        if len(data) > self._left:
             raise InputError(
                 "{name}: expected at most {amount} of programs",
                 name=self._name,
-                amount=f"{MOST_UNPACKED >> 20} MB",
+                amount=f"{self._most >> 20} MB",
             )
+        self._left -= len(data)
         return data
 
 
@@ -77,12 +81,12 @@ def submissions(paths: Sequence[Path]) -> list[Submission]:
     """
     found: list[Submission] = []
     for path in paths:
-        room = _Room(str(path))
+        room = _Room(str(path), MOST_UNPACKED)
         if path.is_dir():
-            found += _students(_of_folder(path, room), room)
+            found += _students(_of_folder(path), room)
         elif path.suffix.lower() == ".zip":
             data = read_bounded(path, MOST_ZIP_BYTES)
-            found += _students(_of_zip(data, str(path), room), room)
+            found += _students(_of_zip(data, str(path)), room)
         else:
             data = read_bounded(path, MOST_BYTES)
             changed = datetime.fromtimestamp(path.stat().st_mtime)
@@ -95,11 +99,15 @@ def submissions(paths: Sequence[Path]) -> list[Submission]:
     return sorted(found, key=_place)
 
 
-File = tuple[PurePosixPath, bytes | None, datetime, InputError | None]
-"""Its name below the folder or zip, what is in it, when it was changed, and why it is not read."""
+Load = Callable[[], bytes]
+File = tuple[PurePosixPath, Load | None, datetime, InputError | None]
+"""Its name below the folder or zip, what reads it, when it was changed, and why it cannot be.
+
+A folder has neither of the two.
+"""
 
 
-def _of_folder(folder: Path, room: _Room) -> Iterator[File]:
+def _of_folder(folder: Path) -> Iterator[File]:
     paths = sorted(folder.rglob("*"))
     if len(paths) > MOST_FILES:
         raise InputError("{folder}: expected at most {most} files", folder=folder, most=MOST_FILES)
@@ -108,27 +116,31 @@ def _of_folder(folder: Path, room: _Room) -> Iterator[File]:
         if path.is_dir():
             yield name / "", None, datetime.min, None
             continue
-        data = b""
         try:
             changed = datetime.fromtimestamp(path.stat().st_mtime)
-            if path.suffix.lower() in KINDS:
-                if path.is_symlink():  # to another student's program, or one of the lecturer's
-                    raise InputError("{path}: expected a file, found a link", path=path)
-                check_plain(path, MOST_BYTES)  # a pipe would let all others wait
-                data = read_bounded(path, MOST_BYTES)
-        except InputError as error:
-            yield name, None, datetime.min, error
         except OSError as error:
-            unread = InputError(
-                "{name}: cannot be read ({reason})", name=str(name), reason=reason(error)
-            )
-            yield name, None, datetime.min, unread
+            yield name, None, datetime.min, _unread(str(name), error)
         else:
-            yield name, room.take(data), changed, None
+            yield name, partial(_plain, path, str(name)), changed, None
 
 
-def _of_zip(data: bytes, name: str, room: _Room) -> Iterator[File]:
-    """Yield the files of a zip, of others than KINDS without their bytes; none is written."""
+def _plain(path: Path, name: str) -> bytes:
+    """Return what is in a file; InputError if it is none, or cannot be read."""
+    try:
+        if path.is_symlink():  # to another student's program, or one of the lecturer's
+            raise InputError("{path}: expected a file, found a link", path=path)
+        check_plain(path, MOST_BYTES)  # a pipe would let all others wait
+        return read_bounded(path, MOST_BYTES)
+    except OSError as error:
+        raise _unread(name, error) from None
+
+
+def _unread(name: str, error: OSError) -> InputError:
+    return InputError("{name}: cannot be read ({reason})", name=name, reason=reason(error))
+
+
+def _of_zip(data: bytes, name: str) -> Iterator[File]:
+    """Yield the files of a zip; none is written."""
     try:
         archive = zipfile.ZipFile(io.BytesIO(data))
     except UNREADABLE:
@@ -147,13 +159,8 @@ def _of_zip(data: bytes, name: str, room: _Room) -> Iterator[File]:
         changed = _date(entry.date_time)
         if entry.is_dir():
             yield inside / "", None, changed, None
-            continue
-        try:
-            unpacked = _unpacked(archive, entry) if inside.suffix.lower() in KINDS else b""
-        except InputError as error:
-            yield inside, None, changed, error
         else:
-            yield inside, room.take(unpacked), changed, None
+            yield inside, partial(_unpacked, archive, entry), changed, None
 
 
 def _named(entry: zipfile.ZipInfo) -> str:
@@ -189,13 +196,13 @@ def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
     return data
 
 
-def _students(files: Iterator[File], room: _Room) -> list[Submission]:
+def _students(files: Iterable[File], room: _Room) -> list[Submission]:
     """Return the submissions among files: a student's are in one folder, or are one file."""
     found: list[Submission] = []
     folders: dict[str, list[File]] = {}
     for file in _unwrapped([file for file in files if not _hidden(file[0])]):
-        name, data, _changed, error = file
-        if len(name.parts) > 1 or (data is None and error is None):
+        name, load, _changed, error = file
+        if len(name.parts) > 1 or (load is None and error is None):
             folders.setdefault(name.parts[0], []).append(file)
         elif name.suffix.lower() in KINDS:
             found += _programs(Submission(name.stem), [file], room)
@@ -236,29 +243,55 @@ def _unwrapped(files: Sequence[File]) -> Sequence[File]:
     )
 
 
-def _programs(student: Submission, files: Sequence[File], room: _Room) -> list[Submission]:
-    """Return the programs of a student, those in a zip of the student's own among them."""
+def _programs(student: Submission, files: Iterable[File], room: _Room) -> list[Submission]:
+    """Return the programs of a student, those in a zip of the student's own among them.
+
+    One who hands in more than a student may is told so, and takes nothing from the others.
+    """
+    own = _Room(student.student, MOST_OF_STUDENT)
     found: list[Submission] = []
-    for name, data, changed, error in files:
-        of_file = replace(student, file=str(name), changed=changed)
-        if name.suffix.lower() == ".zip" and data is not None:
-            try:
-                inside = list(_of_zip(data, str(name), room))
-            except InputError as trouble:
-                found.append(replace(of_file, error=trouble))
-                continue
-            found += [
-                replace(of_file, file=f"{name}/{inner}", data=text, error=trouble)
-                for inner, text, _changed, trouble in inside
-                if inner.suffix.lower() == ".py" and HIDDEN not in inner.parts
-            ]
-        elif name.suffix.lower() == ".py":
-            found.append(replace(of_file, data=data, error=error))
+    for each in _handed_in(student, files, own):
+        found.append(each)
+        if len(found) > MOST_PROGRAMS:
+            many = InputError(
+                "{student}: handed in more than {most} programs",
+                student=student.student,
+                most=MOST_PROGRAMS,
+            )
+            return [replace(student, error=many)]
 
     if not found:
         nothing = InputError("{student}: handed in no program", student=student.student)
         return [replace(student, error=nothing)]
+    for each in found:
+        room.take(each.data or b"")
     return found
+
+
+def _handed_in(
+    student: Submission, files: Iterable[File], own: _Room, outer: str = ""
+) -> Iterator[Submission]:
+    """Yield the programs among files; ``outer`` is the zip in which they are."""
+    for name, load, changed, error in files:
+        kind = name.suffix.lower()
+        if kind not in KINDS or (load is None and error is None) or HIDDEN in name.parts:
+            continue
+        if kind == ".zip" and outer:
+            continue
+        of_file = replace(student, file=f"{outer}{name}", changed=changed)
+        if load is None:
+            yield replace(of_file, error=error)
+            continue
+        try:
+            data = own.take(load())
+            inside = list(_of_zip(data, str(name))) if kind == ".zip" else []
+        except InputError as trouble:
+            yield replace(of_file, error=trouble)
+            continue
+        if kind == ".zip":
+            yield from _handed_in(of_file, inside, own, f"{name}/")
+        else:
+            yield replace(of_file, data=data)
 
 
 def late(submission: Submission, due: datetime | None) -> bool:
