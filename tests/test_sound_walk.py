@@ -5,15 +5,19 @@ import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import pytest
+from commands import SECONDS
 
 from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.scene.scene import scene
+from landscape.sound import bank
 from landscape.sound.captions import LASTS, Line, lines
-from landscape.sound.score import Event, Heard
+from landscape.sound.score import Event as Sounded
+from landscape.sound.score import Heard
 from landscape.sound.signal import QUANTUM, RATE
 from landscape.sound.soundscape import Ear, Soundscape
 from landscape.walk import words
@@ -157,6 +161,25 @@ def test_a_walk_that_begins_muted_opens_no_device() -> None:
     hearing.release()
 
 
+def test_who_leaves_waits_for_the_sound_that_is_being_made_and_for_no_other(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    hearing, begun = Hearing(Speaker), Event()
+    made = []
+
+    def make(name: str, _: object) -> None:
+        made.append(name)
+        begun.set()
+        assert hearing._released.wait(SECONDS)
+
+    monkeypatch.setattr(bank, "loop", make)
+    monkeypatch.setattr(bank, "short", make)
+    hearing.hear(Heard(FLAME, Ear(0.5, 0.0, 0.0, 0.0, 0.0)), 0.0, False)
+    assert begun.wait(SECONDS)
+    hearing.release()
+    assert len(made) == 1
+
+
 @pytest.mark.parametrize(
     ("yaw", "arrow"),
     [(0.0, "→"), (90.0, "↑"), (180.0, "←"), (270.0, "↓"), (45.0, "↗"), (135.0, "↖")],
@@ -172,7 +195,7 @@ def test_an_arrow_leads_to_what_is_heard(yaw: float, arrow: str) -> None:
 
 def test_a_short_sound_is_shown_for_a_while_and_fades() -> None:
     silent = Heard(Soundscape(windy=0.0), Ear(0.0, 0.0, 0.0, 0.0, 0.0))
-    event = Event(RATE, "sand", 0, (1.0, 1.0), silent.soundscape)
+    event = Sounded(RATE, "sand", 0, (1.0, 1.0), silent.soundscape)
     shown = [lines(silent, [event], 1.0 + since) for since in (-0.1, 0.0, 1.2, LASTS)]
     assert shown[0] == shown[3] == ()
     assert shown[1] == (Line("sand", "", 1.0),)

@@ -230,3 +230,57 @@ def test_escape_leads_back_to_the_title_and_the_walk_is_kept(tmp_path: Path) -> 
     assert (view, moved, picture) == ("hall", True, True)
     assert told[0] == 0 and sorted(told[: len(told) // 2]) == told[: len(told) // 2]
     assert len(set(told)) > 3, "no progress is told"
+
+
+LEAVES = """
+import json
+import glfw
+from framelens.gl.contexts.glfw import GLFWContext
+from landscape.elements.element import watched
+from landscape.files.assets import Assets
+from landscape.scene.scene import find_view
+from landscape.walk import waiting
+from landscape.walk.hands import Hands
+from landscape.walk.session import walk
+from landscape.walk.title import TO_TITLE
+
+kind, view = find_view("hall")
+listen, show = Hands.listen, waiting.Waiting.show
+hands = []
+def listened(self, window):
+    hands.append((self, window))
+    listen(self, window)
+def shown(self, language):
+    show(self, language)
+    leave(*hands[-1])
+Hands.listen, waiting.Waiting.show = listened, shown
+def stays(hands, window):
+    pass
+def closes(hands, window):
+    glfw.set_window_should_close(window, True)
+def escapes(hands, window):
+    hands.key(glfw.KEY_ESCAPE, glfw.PRESS)
+
+seen = []
+size = 64, 48
+for leave in (stays, escapes, closes):
+    for titled in (False, True):
+        built = []
+        context = GLFWContext(size, backend="osmesa") if titled else None
+        with watched(built.append):
+            status = walk(kind, view, kind.settings, Assets(), size, backend="osmesa", frames=2,
+                          only=("floor", "mirror"), context=context, quiet=True)
+        seen.append([status == TO_TITLE, len(built) > 1])
+        if context is not None:
+            context.release()
+print(json.dumps(seen))
+"""
+
+
+@pytest.mark.seldom(2)
+def test_who_leaves_while_a_scene_is_built_need_not_wait_until_it_is_there(tmp_path: Path) -> None:
+    done = python(LEAVES, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
+    assert done.status == 0, done.err
+    stays, escapes, closes = [False, True], [False, False], [False, False]
+    to_title = [True, False]
+    assert json.loads(done.out) == [stays, stays, escapes, to_title, closes, closes]

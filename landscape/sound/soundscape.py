@@ -93,11 +93,18 @@ class Soundscape:
         """Return the variants of a short sound, float32 (k, samples, 2)."""
         return sounds.short(name, self.room)
 
-    def prepare(self) -> None:
-        """Make or read all that may be heard: the first time it takes a second or two."""
+    def prepare(self, stopped: Callable[[], bool] = lambda: False) -> None:
+        """Make or read all that may be heard: the first time it takes a second or two.
+
+        No more is made once it is ``stopped``.
+        """
         for voice in self.voices:
+            if stopped():
+                return
             self.loop(voice)
         for name in (*self.grounds, sounds.STROKE, *((sounds.DIG, sounds.PLACE) * self.blocks)):
+            if stopped():
+                return
             self.short(name)
 
     @cached_property

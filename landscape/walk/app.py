@@ -89,6 +89,7 @@ class Walk:
     ) -> None:
         """Open the scene, and its window unless ``context`` is one; InputError, NoOpenGLError.
 
+        Left (waiting.py) is raised if the user leaves before the scene is there.
         Frames are drawn with less detail where that keeps ``fps`` frames per second; 0 draws all.
         ``edits`` change single OpenGL calls; ``world`` keeps blocks that are changed;
         ``preferences`` are the user's keys, mouse and comfort, None for those of a user without
@@ -183,7 +184,8 @@ class Walk:
             self._until = until
             behind = with_alpha(self.pixels())
         kind = self.place.kind
-        self._waiting = Waiting(self._context, self._panel, self._word(text, **values), behind)
+        message = self._word(text, **values)
+        self._waiting = Waiting(self._context, self._panel, message, behind, self._leaves)
         self._waiting.expected = len(kind.slots) or len(kind.elements)
         self._waiting.show(self._language)
         glfw.poll_events()
@@ -200,6 +202,13 @@ class Walk:
                 yield
         finally:
             waiting.release()
+
+    def _leaves(self) -> bool:
+        """Return whether the user asks to leave."""
+        while "quit" in self.hands.orders:
+            self.hands.orders.remove("quit")
+            self.obey("quit")
+        return self.to_title or bool(glfw.window_should_close(self.window))
 
     def _word(self, key: str, **values: str) -> str:
         return words.text(self._language, key, **values)

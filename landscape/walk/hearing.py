@@ -6,7 +6,7 @@ Recordings contain no sound: it follows from the walk, as pictures do.
 
 import time
 from collections.abc import Callable, Hashable
-from threading import Thread
+from threading import Event, Thread
 
 import numpy as np
 
@@ -54,6 +54,7 @@ class Hearing:
         self._open = open_speaker
         self._speaker: Speaker | None = None
         self._preparing: Thread | None = None
+        self._released = Event()
         self._score = Score()
         self._played = 0  # quanta that were written to the speaker
         self._captions = Score()
@@ -99,7 +100,8 @@ class Hearing:
         if now.volume == 0.0:  # a walk that begins muted opens no device
             return None
         if self._preparing is None:
-            self._preparing = Thread(target=now.soundscape.prepare, daemon=True)
+            stopped = (self._released.is_set,)
+            self._preparing = Thread(target=now.soundscape.prepare, args=stopped, daemon=True)
             self._preparing.start()
         if self._preparing.is_alive():
             return None
@@ -125,6 +127,7 @@ class Hearing:
     def release(self) -> None:
         """Close the speaker; may be called twice."""
         self._open = None
+        self._released.set()
         if self._preparing is not None:
             self._preparing.join()
         if self._speaker is not None:

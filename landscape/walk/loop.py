@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from landscape.walk.app import Walk
 from landscape.walk.course import Course
 from landscape.walk.recording import Tick, Writer
+from landscape.walk.waiting import Left
 
 
 def run(
@@ -35,7 +36,10 @@ def run(
             writer.add(tick)
         if course is not None:
             tick = course.take(tick)
-        walk.advance(tick)
+        try:
+            walk.advance(tick)
+        except Left:
+            break
         if course is not None:
             walk.walker = course.carried(walk.walker, tick.seconds)
         walk.draw()

@@ -88,14 +88,14 @@ class Place:
     def apply(self, changes: Mapping[str, object], anew: Callable[[], None]) -> None:
         """Change settings, and call ``anew`` to open the scene again if it cannot take them.
 
-        InputError if it cannot be opened with them: then nothing has changed.
+        InputError if it cannot be opened with them. Whatever is raised, nothing has changed then.
         """
         former = self.settings
         self.settings = declare.passing(former, self._defaults, changes)
         try:
             if self.is_open and not self.scene.apply(self.settings):
                 anew()
-        except InputError:
+        except BaseException:
             self.settings = former
             raise
 

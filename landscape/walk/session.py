@@ -9,6 +9,7 @@ from pathlib import Path
 from framelens.base.errors import InputError
 from framelens.base.texts import choose
 from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
+from framelens.gl.glfw_library import glfw
 from framelens.tape.edit_files import read as read_edits
 from landscape.files.assets import Assets, recording
 from landscape.flyover.environment import open_environment
@@ -26,6 +27,7 @@ from landscape.walk.preferences import Preferences
 from landscape.walk.recording import Plan, Writer, read
 from landscape.walk.speaker import Speaker
 from landscape.walk.title import SIZE, TO_TITLE
+from landscape.walk.waiting import Left
 
 
 def walk(
@@ -151,6 +153,9 @@ def walk(
         if not quiet:
             for line in opened.inspection.missed():
                 print(f"landscape: {line}", file=sys.stderr)
+    except Left:
+        closed = context is None or glfw.window_should_close(context.window)
+        return 0 if closed else TO_TITLE
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.
         kept = writer is not None and writer.finish()

@@ -1,5 +1,7 @@
 """The window while a scene is built: a picture, and the progress."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from framelens.gl.contexts.glfw import GLFWContext
@@ -17,29 +19,44 @@ def with_alpha(pixels: np.ndarray) -> np.ndarray:
     return np.dstack([pixels, np.full(pixels.shape[:2], 255, np.uint8)])
 
 
+class Left(Exception):
+    """The user has left while a scene was built."""
+
+
 class Waiting:
     """Shows a picture with a message in a window; owner of the picture's texture.
 
-    ``expected`` is about how many steps there are.
+    ``expected`` is about how many steps there are, ``leaves`` says whether the user has asked to
+    leave, which then need not wait until all is built.
     """
 
     def __init__(
-        self, context: GLFWContext, panel: Panel, message: str, behind: np.ndarray
+        self,
+        context: GLFWContext,
+        panel: Panel,
+        message: str,
+        behind: np.ndarray,
+        leaves: Callable[[], bool],
     ) -> None:
         """Take a picture of the window's size, uint8 (h, w, 4)."""
         self._context, self._panel, self._message = context, panel, message
         self._size = behind.shape[1], behind.shape[0]
-        self.expected = 1
+        self.expected, self._leaves = 1, leaves
         self._steps, self._shown = 0, 0.0
         with unnoted():
             self._plate: Plate | None = Plate(behind)
 
     def step(self, language: str, _: str) -> None:
-        """Note that a part is about to be built; from time to time, show how far it is."""
+        """Note that a part is about to be built; from time to time, show how far it is.
+
+        Raise Left if the user has left.
+        """
         self._steps += 1
         if glfw.get_time() - self._shown > OFTEN:
             self.show(language)
-            glfw.poll_events()
+        glfw.poll_events()
+        if self._leaves():
+            raise Left
 
     def show(self, language: str) -> None:
         """Show the picture and the message; what is being built takes no note of it."""
