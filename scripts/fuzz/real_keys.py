@@ -52,10 +52,7 @@ SHAPES = ((1900, 200), (300, 900), (1280, 720), (640, 480), (200, 150), (1, 1), 
 
 
 def watched(outcome: Path, words: list[str]) -> int:
-    """Run the command line in this process; write what is shown to a file as JSON, line by line.
-
-    In a replay only the frames that are compared are drawn.
-    """
+    """Run the command line in this process; write what is shown to a file as JSON, line by line."""
     from framelens.gl.framebuffer import read_pixels
     from landscape.cli import main
     from landscape.flyover.app.window import Flying
@@ -64,7 +61,7 @@ def watched(outcome: Path, words: list[str]) -> int:
     faulthandler.register(signal.SIGUSR1)
     lines = outcome.open("w")
     drawn = {"frames": 0}
-    walk_shows, walk_draws, flight_draws = Walk.present, Walk.draw, Flying.draw
+    walk_shows, flight_draws = Walk.present, Flying.draw
 
     def write(**what: object) -> None:
         lines.write(json.dumps({"frame": drawn["frames"], "at": time.monotonic(), **what}) + "\n")
@@ -93,10 +90,6 @@ def watched(outcome: Path, words: list[str]) -> int:
         write(**told)
         walk_shows(walk)
 
-    def draw_compared(walk: Any, whole: bool = False) -> None:
-        if whole or drawn["frames"] % OFTEN == 0:
-            walk_draws(walk, whole)
-
     def draw(flight: Any) -> bool:
         shown = flight_draws(flight)
         drawn["frames"] += 1
@@ -104,8 +97,6 @@ def watched(outcome: Path, words: list[str]) -> int:
         return shown
 
     Walk.present, Flying.draw = present, draw  # type: ignore[method-assign]
-    if "--replay" in words:
-        Walk.draw = draw_compared  # type: ignore[method-assign]
     return main(words)
 
 
@@ -314,6 +305,8 @@ def played(
             if len(scenes) > known:  # a scene that is entered first takes its memory
                 known, memory = len(scenes), memory[-1:]
             quiet = time.monotonic() - watcher.last["at"]
+            if quiet > STUCK / 6:  # a full-screen window that lost the focus has gone by itself
+                screen.do("windowactivate" if screen.manager else "windowfocus", window)
             if quiet > STUCK:
                 wrong.append(f"no frame for {quiet:.0f} s after frame {watcher.last['frame']}")
                 process.send_signal(signal.SIGUSR1)  # it writes where it is
