@@ -6,10 +6,11 @@
     PYTHONPATH=scripts python scripts/film_costs.py empty --engine FILE.json
 
 ``pairs`` draws a film in several ways in turn, each a command of its own, and compares each with
-the first way of its round. The time of a film of a tenth of a second is measured, too, and taken
-off: that is what starting costs. ``empty`` schedules, encodes and joins a long film of black
-pictures, which cost nothing to draw, and says how long it took and the most memory of a process.
-The workers of an engine, which is there already, need PYTHONPATH=scripts for that, too.
+the first way of its round, by the wall clock and by the processors' time, which other programs
+disturb less. The time of a film of a tenth of a second is measured, too, and taken off: that is
+what starting costs. ``empty`` schedules, encodes and joins a long film of black pictures, which
+cost nothing to draw, and says how long it took and the most memory of a process. The workers of an
+engine, which is there already, need PYTHONPATH=scripts for that, too.
 """
 
 import argparse
@@ -30,7 +31,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from framelens.base.engine import Engine, engine
+from framelens.base.engine import Engine, engine, trusted
 from framelens.base.executor import lent_or_own
 from landscape.film.cut import Film, Part
 from landscape.film.parted import draw, join
@@ -54,39 +55,71 @@ class Black:
         return lambda seconds: picture
 
 
+@dataclass(frozen=True)
+class Cost:
+    """How long a film took, and how much of the processors: seconds."""
+
+    wall: float
+    processor: float
+
+
 def pairs(options: argparse.Namespace) -> int:
     """Draw a film in turns in each way, and print how much longer than the first each takes."""
     ways = options.ways.split(",")
-    with tempfile.TemporaryDirectory() as place:
-        folder = Path(place)
-        starts = {way: [taken(way, options, SHORT, folder) for _ in range(3)] for way in ways}
-        start = {way: statistics.median(found) for way, found in starts.items()}
-        print("start:", ", ".join(f"{way} {start[way]:.2f} s" for way in ways), flush=True)
-        more: dict[str, list[float]] = {way: [] for way in ways}
-        for number in range(options.pairs):
-            order = ways if number % 2 == 0 else ways[::-1]
-            took = {way: taken(way, options, options.seconds, folder) for way in order}
-            first = took[ways[0]] - start[ways[0]]
-            for way in ways:
-                more[way].append((took[way] - start[way]) / first - 1)
-            print(", ".join(f"{way} {took[way]:.2f} s" for way in ways), flush=True)
-    for way in ways[1:]:
-        low, high = min(more[way]), max(more[way])
-        middle = statistics.median(more[way])
-        print(f"{way}: {middle:+.1%} ({low:+.1%} to {high:+.1%}), without what starting takes")
+    measured = Measured(options)
+    starts = {way: [measured.cost(way, SHORT) for _ in range(options.starts)] for way in ways}
+    rounds = []
+    for number in range(options.pairs):
+        order = ways if number % 2 == 0 else ways[::-1]
+        rounds.append({way: measured.cost(way, options.seconds) for way in order})
+    for kind in ("wall", "processor"):
+        start = {way: statistics.median(getattr(c, kind) for c in starts[way]) for way in ways}
+        print(f"{kind}: starting", ", ".join(f"{way} {start[way]:.2f} s" for way in ways))
+        taken = [{way: getattr(each[way], kind) - start[way] for way in ways} for each in rounds]
+        for way in ways:
+            more = [each[way] / each[ways[0]] - 1 for each in taken]
+            middle = statistics.median(each[way] for each in taken)
+            print(
+                f"  {way}: {middle:.2f} s more; {statistics.median(more):+.1%} "
+                f"({min(more):+.1%} to {max(more):+.1%})"
+            )
     return 0
 
 
-def taken(way: str, options: argparse.Namespace, seconds: float, folder: Path) -> float:
-    """Draw a film by a command; return the seconds that it took."""
-    with tempfile.TemporaryDirectory(dir=folder) as place:
-        words = ["--fps", str(FPS), "--seconds", f"{seconds:g}", "-q", "--out", f"{place}/film.mp4"]
+class Measured:
+    """Films that are drawn by commands and measured."""
+
+    def __init__(self, options: argparse.Namespace) -> None:
+        """Draw nothing yet."""
+        self._options = options
+        self._films = 0
+
+    def cost(self, way: str, seconds: float) -> Cost:
+        """Draw a film of so many seconds; return what that took."""
+        options = self._options
+        # Each film is another one: the workers of an engine keep the last one open.
+        self._films += 1
+        words = [*options.words, "--kt", f"{self._films / 1000:g}"]
+        words += ["--fps", str(FPS), "--seconds", f"{seconds:g}", "-q"]
         words += ["--engine", options.engine] if "engine" in way else ["--jobs", str(options.jobs)]
-        words += ["--parts", f"{place}/parts"] if "parts" in way else []
-        command = [sys.executable, "-m", "landscape", "film", *options.words, *words]
-        begun = time.monotonic()
-        subprocess.run(command, check=True, env={**os.environ, "LP_NUM_THREADS": "0"})
-        return time.monotonic() - begun
+        with tempfile.TemporaryDirectory() as place:
+            words += ["--out", f"{place}/film.mp4"]
+            words += ["--parts", f"{place}/parts"] if "parts" in way else []
+            command = [sys.executable, "-m", "landscape", "film", *words]
+            processor, begun = self._processor(), time.monotonic()
+            subprocess.run(command, check=True, env={**os.environ, "LP_NUM_THREADS": "0"})
+            return Cost(time.monotonic() - begun, self._processor() - processor)
+
+    def _processor(self) -> float:
+        """Return the seconds of commands that have ended, and of the engine's workers."""
+        children = resource.getrusage(resource.RUSAGE_CHILDREN)
+        found = children.ru_utime + children.ru_stime
+        if self._options.engine is not None:
+            from distributed import Client
+
+            with Client(trusted(self._options.engine), set_as_default=False) as client:
+                found += sum(sum(each[:2]) for each in client.run(os.times).values())
+        return found
 
 
 def empty(options: argparse.Namespace) -> int:
@@ -132,6 +165,7 @@ def main() -> int:
     parser.add_argument("what", choices=("pairs", "empty"))
     parser.add_argument("--ways", default="plain,parts", help="plain, parts, engine, engine+parts")
     parser.add_argument("--pairs", type=int, default=5)
+    parser.add_argument("--starts", type=int, default=3, help="films that are as short as can be")
     parser.add_argument("--seconds", type=float, default=8.0)
     parser.add_argument("--frames", type=int, default=100_000)
     parser.add_argument("--size", default="16x16", help="of empty frames")

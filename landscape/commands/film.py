@@ -3,9 +3,11 @@
 import argparse
 import os
 import sys
+from collections.abc import Mapping
 from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from framelens.base.errors import InputError, Message
 from framelens.base.executor import lent_or_own
@@ -191,18 +193,27 @@ def _draw(options: argparse.Namespace) -> int:
     film = film_of(options.views, wanted)
     with work(options) as (workers, jobs):
         if options.parts is not None:
-            return _draw_parts(film, out.suffix.lower(), workers, jobs, options)
-        kept = write(film, out, jobs, options.quiet, workers)
+            status = _draw_parts(film, out.suffix.lower(), workers, jobs, changes, options)
+        else:
+            status = finished(film, write(film, out, jobs, options.quiet, workers), options)
     if found:
         seen = {key: value for key, value in changes.items() if not key.startswith("sound.")}
         tell_of_no_effect(options, found, seen if options.sound else changes)
-    return finished(film, kept, options)
+    return status
 
 
 def _draw_parts(
-    film: Film, ending: str, workers: Executor | None, jobs: int, options: argparse.Namespace
+    film: Film,
+    ending: str,
+    workers: Executor | None,
+    jobs: int,
+    changes: Mapping[str, Any],
+    options: argparse.Namespace,
 ) -> int:
     """Draw what is missing of a film's parts; join them if a film is asked for."""
+    # Films in one folder are told apart by these words.
+    preset = [f"--preset {options.preset}"] if options.preset else []
+    words = [*options.views, *preset, *(f"{key}={value}" for key, value in changes.items())]
     try:
         parting = draw(
             film,
@@ -211,7 +222,7 @@ def _draw_parts(
             partial(lent_or_own, workers, jobs),
             jobs,
             options.share,
-            options.views,
+            words,
             options.quiet,
         )
     except KeyboardInterrupt:

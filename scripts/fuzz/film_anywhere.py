@@ -5,9 +5,9 @@
 
 The film is drawn by one process, by two, by two workers of Dask on 127.0.0.1, and by two commands
 that share a folder. Then a worker, the scheduler or the command is killed (SIGKILL) after a random
-time, and what was cut off is repeated with the same command, until the film is done. A frame may be
-drawn twice only if its part was not there yet when somebody was killed. It needs POSIX and the
-extra `cluster`.
+time, or a worker is stopped for a while (SIGSTOP), and what was cut off is repeated with the same
+command, until the film is done. A frame may be drawn twice only if its part was not there yet when
+somebody was killed. The last line is the verdict. It needs POSIX and the extra `cluster`.
 """
 
 import argparse
@@ -18,6 +18,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
@@ -29,7 +30,8 @@ LOG = "FRAMES_LOG"  # names the file in which each process notes the frames that
 FPS = 30
 PART = 120  # frames, four seconds
 PATIENCE = 30.0  # seconds, chosen: until a scheduler has written its file
-VICTIMS = ("worker", "scheduler", "command")
+EARLY = 0.8  # chosen: how often those who still begin are spared
+VICTIMS = ("worker", "scheduler", "stopped worker", "command")
 
 
 def note_frames(log: str) -> None:
@@ -176,45 +178,85 @@ def in_ways(folder: Path, words: Sequence[str]) -> dict[str, Path]:
 
 
 def killed(
-    folder: Path, words: Sequence[str], kills: int, longest: float, chance: random.Random
-) -> tuple[Path, list[str]]:
-    """Draw the film while somebody is killed so many times; return its file, and what was wrong."""
+    folder: Path,
+    words: Sequence[str],
+    kills: int,
+    longest: float,
+    stop: float,
+    chance: random.Random,
+) -> tuple[Path, "Frames"]:
+    """Draw the film while somebody is killed so many times; return its file, and what was drawn.
+
+    ``longest`` is the most seconds between two kills, ``stop`` for how many a worker is stopped.
+    """
     farm, out = Farm(folder, words), folder / "killed.mp4"
     farm.log.unlink(missing_ok=True)
     more = ["--engine", "scheduler.json", "--parts", "parts", "--out", str(out)]
     times: list[tuple[int, str]] = []
+    ends: list[int] = []  # of clusters, whose workers are killed, too
     while not out.is_file():
+        before = len(drawn(farm.log))
         with farm.cluster() as found:
             command = farm.command(*more)
             while command.poll() is None:
                 try:
                     command.wait(chance.uniform(0.0, longest))
                 except subprocess.TimeoutExpired:
+                    if len(drawn(farm.log)) == before and chance.random() < EARLY:
+                        continue
                     if len(times) < kills:
-                        times.append((time.time_ns(), kill(found, command, len(times), chance)))
+                        victim = kill(found, command, VICTIMS[len(times) % 4], stop, chance)
+                        times.append((time.time_ns(), victim))
             end_all(command)
+        ends.append(time.time_ns())
     there = len(list((folder / "parts").glob("part-*")))
     print(f"killed: {', '.join(victim for _, victim in times)}; {there} parts", flush=True)
-    return out, drawn_twice(farm.log, folder / "parts", [when for when, _ in times])
+    deaths = [when for when, victim in times if victim != "stopped worker"]
+    return out, frames_of(farm.log, folder / "parts", [*deaths, *ends])
 
 
 def kill(
     found: "dict[str, subprocess.Popen[bytes]]",
     command: "subprocess.Popen[bytes]",
-    count: int,
+    victim: str,
+    stop: float,
     chance: random.Random,
 ) -> str:
-    """Kill somebody, after ``count`` others; return who it was."""
-    victim = VICTIMS[count % len(VICTIMS)]
+    """Kill somebody, or stop a worker for so many seconds; return who it was."""
     with suppress(ProcessLookupError, FileNotFoundError):
-        pids = workers_of(found["workers"].pid) if victim == "worker" else []
-        pid = command.pid if victim == "command" else found["scheduler"].pid
-        os.kill(chance.choice(pids) if pids else pid, signal.SIGKILL)
-    return victim if pids or victim != "worker" else "scheduler"
+        pids = workers_of(found["workers"].pid) if victim.endswith("worker") else []
+        if victim.endswith("worker") and not pids:
+            victim = "scheduler"  # the workers have not begun yet
+        if victim == "stopped worker":
+            pid = chance.choice(pids)
+            os.kill(pid, signal.SIGSTOP)
+            timer = threading.Timer(stop, go_on, [pid])
+            timer.daemon = True
+            timer.start()
+        elif pids:
+            os.kill(chance.choice(pids), signal.SIGKILL)
+        else:
+            os.kill(command.pid if victim == "command" else found["scheduler"].pid, signal.SIGKILL)
+    return victim
 
 
-def drawn_twice(log: Path, parts: Path, kills: Sequence[int]) -> list[str]:
-    """Return what is wrong with the frames that were drawn; print how many there were."""
+def go_on(pid: int) -> None:
+    """Let a process that was stopped go on; it may have been killed."""
+    with suppress(ProcessLookupError):
+        os.kill(pid, signal.SIGCONT)
+
+
+@dataclass(frozen=True)
+class Frames:
+    """What was drawn of a film: how many frames, how many of them again, and what was wrong."""
+
+    different: int
+    again: int
+    wrong: list[str]
+
+
+def frames_of(log: Path, parts: Path, kills: Sequence[int]) -> Frames:
+    """Return what was drawn while somebody was killed at these times, in ns."""
     runs: dict[int, dict[int, list[Drawn]]] = defaultdict(lambda: defaultdict(list))
     every = drawn(log)
     for each in every:
@@ -222,16 +264,14 @@ def drawn_twice(log: Path, parts: Path, kills: Sequence[int]) -> list[str]:
     wrong: list[str] = []
     for path in parts.glob("part-*"):
         number, there = int(path.name.split("-")[1]), path.stat().st_mtime_ns
-        begun = sorted((run[0].when, len(run)) for run in runs[number].values())
+        begun = sorted(run[0].when for run in runs[number].values())
         if any(each.when > there for run in runs[number].values() for each in run):
             wrong.append(f"part {number}: drawn after it was there")
-        for (first, _), (again, _) in zip(begun, begun[1:], strict=False):
+        for first, again in zip(begun, begun[1:], strict=False):
             if not any(first < kill < again for kill in kills):
                 wrong.append(f"part {number}: drawn twice, though nobody was killed")
     different = len({each.number for each in every})
-    repeated = len({each.number // PART for each in every if len(runs[each.number // PART]) > 1})
-    print(f"{different} frames, {len(every)} drawn, {repeated} parts begun more than once")
-    return wrong
+    return Frames(different, len(every) - different, wrong)
 
 
 def main() -> int:
@@ -243,6 +283,7 @@ def main() -> int:
     parser.add_argument("--preset", default="2006")
     parser.add_argument("--kills", type=int, default=8)
     parser.add_argument("--longest", type=float, default=20.0, help="seconds between two kills")
+    parser.add_argument("--stop", type=float, default=30.0, help="seconds of a stopped worker")
     parser.add_argument("--seed", type=int, default=random.randrange(1 << 32))
     options = parser.parse_args()
     print(f"seed {options.seed}", flush=True)
@@ -251,15 +292,30 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place).resolve()
         files = in_ways(folder, words)
-        chance = random.Random(options.seed)
-        files["killed"], wrong = killed(folder, words, options.kills, options.longest, chance)
+        files["killed"], found = killed(
+            folder,
+            words,
+            options.kills,
+            options.longest,
+            options.stop,
+            random.Random(options.seed),
+        )
         sums = {way: hashlib.sha256(path.read_bytes()).hexdigest() for way, path in files.items()}
-    for way, found in sums.items():
-        print(f"{found[:16]}  {way}")
+    for way, each in sums.items():
+        print(f"{each[:16]}  {way}")
+    wrong = list(found.wrong)
     if len(set(sums.values())) > 1:
         wrong.append("the files differ")
-    print("\n".join(wrong) or "the same file in all ways")
-    return 1 if wrong else 0
+    if found.different != options.frames:
+        wrong.append(f"{found.different} of {options.frames} frames were noted")
+    if wrong:
+        print(*wrong, sep="\n")
+        return 1
+    print(
+        f"the same file in {len(sums)} ways; {found.different} frames, {found.again} of them drawn "
+        "again, all of parts that were open at a kill"
+    )
+    return 0
 
 
 if __name__ == "__main__":
