@@ -418,6 +418,37 @@ def test_deleted_files_that_a_program_holds_count(
     assert report.error is not None and report.error["word"] == "full"
 
 
+# Machine code: it starts threads that wait, as fast as the kernel can.
+STORM = """
+import mmap
+memory = mmap.mmap(-1, 4096, prot=7)
+memory.write(bytes.fromhex(
+    "b838000000bf000f010031f631d24d31d24d31c00f0585c075e6b8220000000f05ebf7"
+))
+ctypes.CFUNCTYPE(None)(ctypes.addressof(ctypes.c_char.from_buffer(memory)))()
+"""
+
+
+@pytest.mark.skipif(os.uname().machine != "x86_64", reason="the code is of another processor")
+def test_threads_are_counted_often(
+    grader: Grader, home: Path, port: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # For the process that runs programs: what only the files are looked at for takes minutes.
+    place = home / "start"
+    place.mkdir(exist_ok=True)
+    code = """
+import sys
+if any("sandbox_forks" in word for word in sys.orig_argv):
+    from landscape.course.grader import sandbox
+    sandbox.LOOK = 1000.0
+"""
+    (place / "sitecustomize.py").write_text(code)
+    monkeypatch.setenv("PYTHONPATH", f"{place}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
+    with Grader(SECONDS, REQUIRE) as other:
+        report = attack(other, home, port, STORM)
+    assert report.error is not None and report.error["word"] == "much"
+
+
 @pytest.mark.parametrize("what", ["threads", "memory"])
 def test_a_program_with_too_many_threads_or_too_much_shared_memory_is_ended(
     what: str, grader: Grader, home: Path, port: int, monkeypatch: pytest.MonkeyPatch
@@ -670,6 +701,41 @@ def test_calls_that_are_made_again_and_again_are_not_read(tmp_path: Path) -> Non
         assert tracemalloc.get_traced_memory()[1] < 100 << 20
     finally:
         tracemalloc.stop()
+
+
+@pytest.mark.parametrize("part", [b'{"a":0},', b"[],", b"0,"])
+def test_small_bytes_that_become_large_objects_are_not_read(
+    part: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(stream, "MOST_READ", 1 << 20)
+    for count in (1, 1 << 16):
+        text = b'{"blobs":[],"x":[' + part * count + b"0]}"
+        tracemalloc.start()
+        try:
+            found = stream.received(stream.LENGTH.pack(len(text)) + text)
+            assert tracemalloc.get_traced_memory()[1] < 3 << 20
+        finally:
+            tracemalloc.stop()
+        assert (found is None) == (count > 1)
+
+
+def test_a_picture_of_one_line_of_millions_of_pixels_is_not_compared(
+    grader: Grader, home: Path, port: int
+) -> None:
+    code = """
+import numpy
+witness = sys.modules["landscape.course.grader.witness"]
+witness.read_pixels = lambda size: numpy.zeros((1, 5000, 3), numpy.uint8)
+def evidence(self, of=witness.Witness.evidence):
+    self._again = None
+    found = of(self)
+    for frame in found["frames"].values():
+        frame["size"] = [5000, 1]
+    return found
+witness.Witness.evidence = evidence
+"""
+    report = attack(grader, home, port, code)
+    assert report.error is not None and report.error["word"] == "full"
 
 
 def test_many_states_beside_a_large_one_take_no_more_memory_than_were_sent(tmp_path: Path) -> None:

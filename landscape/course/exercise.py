@@ -20,7 +20,7 @@ from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.cause import told
 from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.evidence import Evidence
-from landscape.course.grader.evidence_file import load
+from landscape.course.grader.evidence_file import TooLarge, load
 from landscape.course.grader.grading import (
     Hint,
     Result,
@@ -35,7 +35,7 @@ from landscape.course.grader.grading import (
     same_pictures,
 )
 from landscape.course.grader.grading_file import Grading, read_grading
-from landscape.course.grader.sandbox import LATE, TOO_MUCH, Job, Outcome, Sandbox
+from landscape.course.grader.sandbox import FULL, LATE, TOO_MUCH, Job, Outcome, Sandbox
 from landscape.course.grader.trial import Trial, broken_off, elsewhere, trial
 from landscape.course.grader.troubles import SENTENCES, known
 from landscape.course.shelf import COURSE, HIDDEN, Exercise, Shelf
@@ -329,6 +329,8 @@ def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence |
         if "error" in answer:
             return dict(answer["error"]) if known(answer["error"]) else died
         return _sound(load(path, outcome.answer, frames))
+    except TooLarge:
+        return {"word": FULL}
     except (
         ArithmeticError,
         AttributeError,

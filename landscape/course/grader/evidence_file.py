@@ -38,6 +38,7 @@ from framelens.gl.notes import Brief, plain, shown
 from framelens.spec import spec
 from landscape.course.grader.calls import KINDS, NO_LINE, Call, Item, Numbers, base
 from landscape.course.grader.evidence import Evidence, Frame
+from landscape.course.grader.recorded import MOST_SIDE
 from landscape.course.grader.stream import Answer, Blobs
 
 MOST_CALLS = 4_000_000  # chosen: those of display lists counted each time that they are executed
@@ -213,10 +214,15 @@ def _argument(name: str, index: int, args: tuple[Any, ...]) -> Any:
     return plain(value)
 
 
+class TooLarge(ValueError):
+    """A picture larger than an exercise needs: comparing it would take gigabytes."""
+
+
 def load(path: Path, answer: Answer, wanted: Sequence[int]) -> Evidence:
     """Return the evidence of a program from what its process sent.
 
-    If it is not in that form, or a wanted frame is not there, an error of Python is raised.
+    If it is not in that form, or a wanted frame is not there, an error of Python is raised;
+    TooLarge for pictures that are.
     """
     said, blobs = answer
     reader = _Reader(said, blobs)
@@ -227,6 +233,8 @@ def load(path: Path, answer: Answer, wanted: Sequence[int]) -> Evidence:
         width, height = found["size"]
         if min(width, height) < 1:
             raise ValueError(f"a picture of {width} x {height} pixels")
+        if max(width, height) > MOST_SIDE:
+            raise TooLarge(f"a picture of {width} x {height} pixels")
         pixels = np.frombuffer(blobs[found["pixels"]], np.uint8)
         picture = pixels.reshape(height, width, 3)
         calls = reader.calls(found["calls"])

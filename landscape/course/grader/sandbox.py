@@ -46,6 +46,7 @@ from landscape.course.grader.workplace import Workplace, overfull
 GRACE = 1.5  # seconds, chosen: between asking a program to end and ending it
 START = 120.0  # seconds, chosen: until a process has imported what programs need
 PAUSE = 0.01  # seconds, chosen: between two looks at processes
+GLANCE = 0.02  # seconds, chosen: in a quarter of a second threads may take all numbers of processes
 LOOK = 0.25  # seconds, chosen: between two looks at the files that a program writes
 FILE_BYTES = 64 << 20  # chosen: the largest file
 MOST_THREADS = 256  # chosen: of one program; drivers have some dozens

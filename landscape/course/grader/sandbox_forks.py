@@ -23,6 +23,7 @@ from landscape.course.grader.confinement import LANDLOCK
 from landscape.course.grader.sandbox import (
     FILE_BYTES,
     FULL,
+    GLANCE,
     GRACE,
     LOOK,
     MOST_THREADS,
@@ -151,18 +152,19 @@ class _Running:
         return os.waitid(os.P_PID, self.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None
 
     def takes_too_much(self) -> bool:
-        """Look from time to time whether the program takes more than it may of what has no limit.
+        """Look whether the program takes more than it may of what has no limit.
 
-        That are its files together, its threads, and memory that is shared.
+        That are its threads, memory that is shared, and, from time to time, its files together.
         """
-        if time.monotonic() - self.looked < LOOK:
-            return False
-        self.looked = time.monotonic()
-        if overfull(self.folder, deleted_bytes(self.pid, self.folder, FILE_BYTES)):
-            self.reason = FULL
         threads, shared = _holds(self.pid)
         if threads > MOST_THREADS or shared > self.megabytes << 20:
             self.reason = MUCH
+            return True
+        if time.monotonic() - self.looked < LOOK:
+            return False
+        if overfull(self.folder, deleted_bytes(self.pid, self.folder, FILE_BYTES)):
+            self.reason = FULL
+        self.looked = time.monotonic()
         return self.reason != ""
 
     def end(self, late: bool) -> None:
@@ -187,7 +189,7 @@ def _run(jobs: list[dict[str, Any]], ours: Prepared) -> list[_Running]:
     while running:
         due = min(each.deadline for each in running) - time.monotonic()
         pipes = [each.pipe for each in running]
-        ready = select.select(pipes, [], [], min(max(due, 0), LOOK))[0]
+        ready = select.select(pipes, [], [], min(max(due, 0), GLANCE))[0]
         for each in list(running):
             late = time.monotonic() >= each.deadline
             goes_on = each.read() if each.pipe in ready else each.lives()

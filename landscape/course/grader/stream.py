@@ -12,6 +12,9 @@ from typing import Any
 
 MOST_BYTES = 256 << 20  # chosen: of all that a program's process sends
 MOST_TEXT = 32 << 20  # chosen: of its JSON, which takes far more memory once it is read
+MOST_READ = 512 << 20  # bytes, chosen: that the objects of a JSON may take
+# About what Python takes for what begins or ends with these: a dictionary, a list, an item.
+BYTES = {b"{": 232, b"[": 64, b",": 40}
 PART = 1 << 20  # bytes that are written or read at once
 LENGTH = struct.Struct(">Q")
 
@@ -56,7 +59,10 @@ def received(data: bytes) -> Answer | None:
         if length > MOST_TEXT:
             return None
         end = LENGTH.size + length
-        answer = json.loads(data[LENGTH.size : end])
+        text = data[LENGTH.size : end]
+        if sum(text.count(mark) * each for mark, each in BYTES.items()) > MOST_READ:
+            return None
+        answer = json.loads(text)
         if not isinstance(answer, dict):
             return None
         return answer, _parted(memoryview(data)[end:], answer["blobs"])

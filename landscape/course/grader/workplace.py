@@ -18,7 +18,7 @@ if sys.platform != "win32":
 PREFIX = "landscape-check-"
 LOCK = "lock"
 MOST_BYTES = 256 << 20  # chosen: of all files of one program
-MOST_FILES = 10_000  # chosen: so many are counted in some hundredths of a second
+MOST_FILES = 1000  # chosen: more take seconds to delete
 
 
 class Workplace:
