@@ -205,7 +205,7 @@ def killed(
                     if len(drawn(farm.log)) == before and chance.random() < EARLY:
                         continue
                     if len(times) < kills:
-                        victim = kill(found, command, VICTIMS[len(times) % 4], stop, chance)
+                        victim = kill(found, command, chance.choice(VICTIMS), stop, chance)
                         times.append((time.time_ns(), victim))
             end_all(command)
         ends.append(time.time_ns())
