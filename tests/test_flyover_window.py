@@ -202,3 +202,24 @@ def test_it_heeds_the_preferences_and_has_no_list_of_settings() -> None:
         assert window._panel.dpi > usual
     finally:
         window.close()
+
+
+def test_in_a_window_too_wide_for_it_the_detail_is_not_taken_away() -> None:
+    need_library("OSMesa")
+    settings = with_settings(Settings(), {"flyover.mode": "lines"})
+    window = Flying(open_environment("island"), settings, SIZE, "en", headless=True)
+    try:
+        window.advance(Intent(), ("5",), 0.1)
+        assert window.draw() and not window.settings.flyover.detail
+        window.context.resize((760, 40))  # type: ignore[union-attr]
+        assert window.draw() and window.settings.flyover.detail
+        assert "flyover.far_undetailed: expected at most" in window._message
+    finally:
+        window.close()
+
+
+def test_escape_right_after_the_key_of_the_list_ends_the_flight(flying: Flying) -> None:
+    assert flying.listen()
+    press(flying, glfw.KEY_L)
+    press(flying, glfw.KEY_ESCAPE)
+    assert not flying.listen()

@@ -101,10 +101,23 @@ def test_from_the_default_start_straight_on_one_is_let_out_of_the_boulders() -> 
 
 def test_before_a_wall_in_a_corner_and_at_a_trunk_one_stays() -> None:
     walls = (Wall(20.0, 19.0, 2.0, 0.1, 0.0, 9.0), Wall(21.0, 20.0, 0.1, 2.0, 0.0, 9.0))
-    for around, yaw in ((walls[:1], 0.0), (walls, 45.0), ((Tower(20.0, 19.5, 0.05, 9.0),), 0.0)):
+    corner = Wall(20.0, 19.0, 2.0, 0.1, 0.0, 9.0), Tower(20.6, 19.1, 0.5, 9.0)
+    trunk = (Tower(20.0, 19.5, 0.05, 9.0),)
+    for around, yaw in ((walls[:1], 0.0), (walls, 45.0), (corner, 15.0), (trunk, 0.0)):
         land = Land(FLAT, around)
         there = land.go(land.begin(20.0, 20.0, yaw), AHEAD, 4.0, 60)
         assert land.go(there, AHEAD, 6.0, 60).escapes == 0, around
+
+
+def test_straight_on_in_the_hall_one_is_let_out_from_between_column_and_plinth() -> None:
+    land = Land(Ground(), obstacles(), SCENE.settings)
+    pose = SCENE.views[SCENE.start].pose
+    runs = Intent(forward=1.0, run=True)
+    before = land.go(land.begin(pose.x, pose.z, pose.yaw), runs, 4.0, 60)
+    assert before.escapes == 0 and distance(before, land.go(before, runs, 0.5)) < 0.02
+    after = land.go(before, runs, 4.0, 60)
+    assert after.escapes == 1
+    assert distance(after, before) > 0.2
 
 
 def test_nobody_is_let_out_through_a_wall() -> None:

@@ -284,3 +284,85 @@ def test_who_leaves_while_a_scene_is_built_need_not_wait_until_it_is_there(tmp_p
     stays, escapes, closes = [False, True], [False, False], [False, False]
     to_title = [True, False]
     assert json.loads(done.out) == [stays, stays, escapes, to_title, closes, closes]
+
+
+RESIZED = """
+import hashlib, json
+import glfw
+from framelens.gl.contexts.glfw import GLFWContext
+from framelens.gl.framebuffer import read_pixels
+from landscape.walk.title import Title
+
+def shown(size, *keys):
+    context = GLFWContext((400, 300), backend="osmesa")
+    title = Title(context, "en")
+    title.draw()
+    context.resize(size)
+    title.draw()
+    for key in keys:
+        title.key(key)
+    title.draw()
+    title.release()
+    pixels = read_pixels(size)
+    context.release()
+    return hashlib.sha256(pixels).hexdigest()
+
+def begun(size, *keys):
+    context = GLFWContext(size, backend="osmesa")
+    title = Title(context, "en")
+    for key in keys:
+        title.key(key)
+    title.draw()
+    title.release()
+    pixels = read_pixels(size)
+    context.release()
+    return hashlib.sha256(pixels).hexdigest()
+
+keys = (), (glfw.KEY_H,), (glfw.KEY_F2,)
+print(json.dumps([[look((200, 420), *each) for each in keys] for look in (shown, begun)]))
+"""
+
+
+def test_keys_and_preferences_in_the_title_fit_a_window_that_was_resized() -> None:
+    done = python(RESIZED, env=environment(LANG="C", LANDSCAPE_CACHE=""))
+    assert done.status == 0, done.err
+    resized, begun = json.loads(done.out)
+    assert resized == begun
+    assert len(set(begun)) == 3
+
+
+KEPT = """
+import json
+import glfw
+import numpy as np
+from PIL import Image
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.scene.scene import scene
+from landscape.walk import last
+from landscape.walk.app import Walk
+from landscape.walk.loop import run
+from landscape.walk.recording import Plan
+
+kind = scene("hall")
+plan = Plan("hall", kind.settings, "hall", Pose(1.6, None, 2.6), (320, 240), only=("floor",))
+pictures, heard = [], []
+for keys in ((), (glfw.KEY_U, glfw.KEY_F2)):
+    with Walk(plan, Assets(), "osmesa", keeps=True) as walk:
+        run(walk, frames=2)
+        for key in keys:
+            walk.hands.key(key, glfw.PRESS)
+            walk.hands.key(key, glfw.RELEASE)
+        run(walk, frames=2)
+        heard.append([bool(walk.hearing.lines), walk.wishes.open])
+    pictures.append(np.asarray(Image.open(last.picture())))
+print(json.dumps([heard, bool((pictures[0] == pictures[1]).all())]))
+"""
+
+
+def test_captions_and_lists_are_not_in_the_picture_of_the_last_walk(tmp_path: Path) -> None:
+    done = python(KEPT, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
+    assert done.status == 0, done.err
+    heard, same = json.loads(done.out)
+    assert heard == [[False, False], [True, True]]
+    assert same

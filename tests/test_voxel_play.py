@@ -659,7 +659,9 @@ live.seen, live.script = [], {
     28: [key(glfw.KEY_E)], 30: [button(LEFT)], 38: [button(LEFT, False)],
 }
 import landscape.walk.app as app
+from landscape.walk import builder
 app.time.sleep = lambda seconds: None
+builder.AUTOSAVE = 0.2
 writer = Writer(path, plan)
 clock = iter(range(10**6))
 glfw.get_time = lambda: next(clock) / 20
@@ -701,6 +703,7 @@ def test_a_drag_looks_and_a_click_digs_places_or_picks(walked: dict[str, Any]) -
 
 
 def test_a_replay_digs_and_builds_the_same(walked: dict[str, Any]) -> None:
+    assert "the world is saved" in [message for *_, message in walked["live"]]
     assert walked["again"] and walked["same"]
 
 

@@ -507,6 +507,8 @@ class Walk:
         self.walker = self.place.moved(before, tick.intent, tick.seconds)
         if said := self._builder.advance(self.place.scene, self.walker, tick):
             self._say(said)
+        if saved := self._builder.saved(self.place.scene, tick.seconds):
+            self._note = saved
         if self.walker.flying != before.flying:
             self._tell("fly", self.walker.flying)
         elif self.walker.swimming != before.swimming:
@@ -739,6 +741,8 @@ class Walk:
         kind = self.place.kind
         begun = kind.named(self._begun) is not None
         self._help, self._until, self._row = False, 0.0, ""
+        self.hands.choosing = ""
+        self.hearing.forget()
         self.draw(whole=True)
         view = self._begun if begun else kind.start
         keep_last(self.pixels(), LastWalk(view, self.walker.pose))

@@ -135,7 +135,7 @@ class Builder:
             scene.choose(SLOTS.index(name) if name in SLOTS else steps[name])
 
     def advance(self, scene: object, walker: Walker, tick: Tick) -> str:
-        """Dig, place and pick what is asked for in a frame, and save; return what to say, or ""."""
+        """Dig, place and pick what is asked for in a frame; return what to say, or ""."""
         said = ""
         if isinstance(scene, Diggable):
             for tool in self._due(tick.intent, tick.seconds):
@@ -144,7 +144,7 @@ class Builder:
                 if tool in self.changed:
                     self.changed[tool] += scene.changes != before
                 said = translator(self._language, "scenes")(refused) if refused else said
-        return self._saved(scene, tick.seconds) or said
+        return said
 
     def _due(self, intent: Intent, seconds: float) -> list[str]:
         """Return the tools to use now: those clicked, and those held long enough."""
@@ -159,8 +159,11 @@ class Builder:
                 due.append(tool)
         return due
 
-    def _saved(self, scene: object, seconds: float) -> str:
-        """Save some time after a change; return what to say of it, or ""."""
+    def saved(self, scene: object, seconds: float) -> str:
+        """Save some time after a change, a frame of so many seconds later; return what to say.
+
+        A replay saves nothing, so it can say this only if it is in the recording.
+        """
         if self._file is None or not isinstance(scene, Diggable):
             return ""
         self._scene = scene

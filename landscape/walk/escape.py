@@ -6,13 +6,13 @@ further than his body is wide, is put on the nearest free place from which his w
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from landscape.frame import Pose
 from landscape.geometry.bodies import Embodied
 from landscape.geometry.obstacle_grid import Obstacles
-from landscape.geometry.obstacles import RADIUS, Tower, Wall
+from landscape.geometry.obstacles import RADIUS, Obstacle, Tower, Wall
 from landscape.scene.scene import SceneSettings, Terrain
 from landscape.walk.collisions import Place, Surroundings, inside, is_free, solid
 from landscape.walk.walker import Intent, Walker, advance, start
@@ -72,9 +72,20 @@ def stuck(
     if not isinstance(ground, Embodied):
         near = solid(Surroundings(obstacles).at(walker.x, walker.z), walker.y)
         touching = [o for o in near if o.gap(walker.x, walker.z)[0] < RADIUS + TOUCHING]
-        if sum(isinstance(o, Tower) for o in touching) > 1:
+        if _is_crack(touching):
             return not _goes_on(walker, intent, ground, obstacles, settings)
     return not any(_goes_on(walker, way, ground, obstacles, settings) for way in WAYS)
+
+
+def _is_crack(touching: Sequence[Obstacle]) -> bool:
+    """Return whether one is between obstacles: two round ones, or a round one beside a wall.
+
+    One that adjoins the wall, as the tower of a castle, makes a corner with it, and no crack.
+    """
+    towers = [o for o in touching if isinstance(o, Tower)]
+    walls = [o for o in touching if isinstance(o, Wall)]
+    beside = (wall.gap(tower.x, tower.z)[0] > tower.radius for tower in towers for wall in walls)
+    return len(towers) > 1 or any(beside)
 
 
 def _goes_on(

@@ -361,6 +361,7 @@ class Title:
         self._plate = Plate(self._drawn.image)
         show_plate(self._plate, size)
         self._panel.dpi = dpi
+        gl.glViewport(0, 0, *size)
         if page is not None:
             self._panel.draw(
                 size, left=((page, dpi), lambda: list_image(page, size, dpi)), opaque=True

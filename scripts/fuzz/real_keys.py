@@ -96,7 +96,13 @@ def watched(outcome: Path, words: list[str]) -> int:
         write(escapable=flight.hands.captured, inspecting=False)
         return shown
 
-    Walk.present, Flying.draw = present, draw  # type: ignore[method-assign]
+    def begin(walk: Any, *given: Any, **more: Any) -> None:
+        # A lesson would have the keys until it is closed.
+        walk_begins(walk, *given, **more, run_command=lambda words: 0)
+
+    walk_begins = Walk.__init__
+    Walk.__init__, Walk.present = begin, present  # type: ignore[method-assign]
+    Flying.draw = draw  # type: ignore[method-assign]
     return main(words)
 
 
@@ -330,6 +336,7 @@ def played(
         process.wait()
     watcher.news()
     (folder / "did.txt").write_text("\n".join(player.log) + "\n")
+    (folder / "memory.txt").write_text("".join(f"{p:.3f} {mb:.0f}\n" for p, mb in memory))
     first = memory[0][0] if memory else 0.0
     early = [mb for part, mb in memory if first < part < first + (1.0 - first) / 2]
     late = [mb for part, mb in memory if part > first + (1.0 - first) * 0.85]

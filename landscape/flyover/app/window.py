@@ -7,7 +7,8 @@ import time
 from collections.abc import Sequence
 from typing import Any
 
-from framelens.base.texts import choose
+from framelens.base.errors import InputError
+from framelens.base.texts import choose, said
 from framelens.gl.contexts.glfw import GLFWContext
 from framelens.gl.framebuffer import read_pixels
 from framelens.gl.glfw_library import glfw
@@ -15,8 +16,10 @@ from framelens.gl.screen_picture import ScreenPicture
 from framelens.gl.seam import gl
 from framelens.inspector.keys import Namer, system_name
 from framelens.inspector.panel import Panel, enlarged
+from landscape.flyover.camera import frustum
 from landscape.flyover.crew import Crew, processes
 from landscape.flyover.environment import Environment
+from landscape.flyover.levels import levels
 from landscape.flyover.settings import Settings
 from landscape.settings import declare
 from landscape.settings.declare import with_settings
@@ -148,6 +151,7 @@ class Flying:
         self._headless = headless
         self._help = False
         self._shoot = False
+        self._begun = False  # whether a picture has been drawn
         self._message = ""
         self._until = 0.0
         self._counted = ""
@@ -179,6 +183,8 @@ class Flying:
         way = {"more": FACTOR, "less": 1 / FACTOR}.get(pick(key, system_name))
         if way is None:
             self.hands.key(key, action, mods)
+            # There is no list of settings here, which would have the next keys for itself.
+            self.hands.listing, self.hands.picks = False, []
         elif action != glfw.RELEASE:
             self.speed = min(max(self.speed * way, SLOWEST), FASTEST)
             self._say(self._word("flyover.at_speed", speed=f"{self.speed:.2g}"))
@@ -194,8 +200,6 @@ class Flying:
             if order == "quit":
                 return False
             self._obey(order)
-        # There is no list of settings here, which would have the arrow keys for itself.
-        self.hands.listing, self.hands.picks = False, []
         intent, switches = self.hands.take()
         self.advance(intent, switches, seconds)
         return not glfw.window_should_close(self.context.window)
@@ -274,7 +278,9 @@ class Flying:
             return False
         self.context.make_current()
         gl.glViewport(0, 0, *size)
+        self._keep_detail(size)
         drawn = self.crew.draw(self.camera, self.settings, size)
+        self._begun = True
         self._picture.draw(drawn.rgba)
         if self._shoot:
             self._shoot = False
@@ -290,6 +296,20 @@ class Flying:
         self._panel.draw(size, self._help, message)
         self.context.show()
         return True
+
+    def _keep_detail(self, size: tuple[int, int]) -> None:
+        """Draw less far away again where too much would be drawn in a window of this size.
+
+        What the flight began with is not changed: then it is an InputError.
+        """
+        ours = self.settings.flyover
+        if ours.detail or ours.mode == "filled" or not self._begun:
+            return
+        try:
+            levels(self.terrain, self.camera, frustum(ours, size), ours)
+        except InputError as error:
+            self.settings = with_settings(self.settings, {"flyover.detail": True})
+            self._say(said(error, self._language))
 
     def _count(self, counts: dict[str, int], now: float) -> None:
         """Count a frame; twice a second, say how fast it goes and how many lines there are."""
