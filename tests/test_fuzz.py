@@ -75,3 +75,21 @@ for kind in inputs.KINDS:
 """
     done = python(code, FUZZ)
     assert (done.status, done.err) == (0, "")
+
+
+KILLED = """
+import sys
+from pathlib import Path
+sys.path.insert(0, sys.argv[1])
+import killed
+folder = Path(sys.argv[2])
+for name in ("world", "recording"):
+    work, files = killed.KINDS[name]
+    work(folder)
+    print(*(file for file in files if (folder / file).stat().st_size))
+"""
+
+
+def test_what_is_killed_at_random_moments_ends_well_if_it_is_not(tmp_path: Path) -> None:
+    done = python(KILLED, FUZZ, str(tmp_path))
+    assert (done.status, done.out) == (0, "my.world\nwalk.jsonl\n"), done.err

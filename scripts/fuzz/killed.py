@@ -33,7 +33,7 @@ class World:
     def use(self, *_: object) -> str:
         return ""
 
-    choose = bar = restore = merged = use
+    choose = bar = covered = restore = merged = use
 
     def saved(self) -> bytes:
         self.count += 1
