@@ -21,6 +21,7 @@ five parts. Each program is looked into by a process of its own.
 """
 
 import argparse
+import contextlib
 import csv
 import json
 import random
@@ -40,12 +41,13 @@ from why.mistakes import MISTAKES, Mistake
 from framelens.base.errors import InputError, NoOpenGLError
 from framelens.base.isolated import Ended, isolated
 from landscape.course.ladder import lessons
+from landscape.course.shelf import NAMES, exercise
+from landscape.course.solutions import runnable
 from landscape.scene.scene import listed_views
 
 ROOT = Path(__file__).resolve().parents[1]
 SECONDS = 120.0  # for a program; chosen
 SLOW = 100  # the frame from which on a lesson takes too long; chosen
-EXERCISES = ROOT / "landscape" / "course" / "exercises"
 IGNORED = shutil.ignore_patterns("__pycache__", "pages")
 SHARE = 4  # kinds of targets: as many random programs as lessons, and so on
 
@@ -148,9 +150,16 @@ def sow(options: argparse.Namespace) -> int:
 def _sown(mistake: Mistake, dice: random.Random) -> asking.Answer | None:
     """Sow a mistake into a program that it changes; return what is said of it."""
     known = [Asked(each.name, str(each.file), each.frame) for each in lessons()]
-    for exercise in sorted(EXERCISES.glob("*/solution.py")):
-        known.append(Asked(f"{exercise.parent.name} (solution)", str(exercise), 0))
-    dice.shuffle(known)
+    with contextlib.ExitStack() as programs:
+        for name in sorted(NAMES):
+            folder = exercise(name).folder
+            program = programs.enter_context(runnable(folder / "solution.py", folder))
+            known.append(Asked(f"{name} (solution)", str(program), 0))
+        dice.shuffle(known)
+        return _first_sown(mistake, known)
+
+
+def _first_sown(mistake: Mistake, known: Sequence["Asked"]) -> asking.Answer | None:
     for asked in known:
         source = Path(asked.path).read_text(encoding="utf-8")
         if asked.frame >= SLOW or not re.search(mistake.pattern, source):

@@ -17,6 +17,7 @@ from typing import Any
 
 import pytest
 from commands import python
+from solved import solved
 
 from framelens.base.errors import InputError, UnexpectedError
 from framelens.system import containment, limits
@@ -27,7 +28,7 @@ from landscape.course.grader.sandbox import Job
 from landscape.course.grader.troubles import known
 from landscape.course.roster.grades import Rules, grade_class
 from landscape.course.roster.submissions import Submission
-from landscape.course.shelf import FOLDER, exercise
+from landscape.course.shelf import FOLDER
 
 pytestmark = [
     pytest.mark.posix_only("the system contains no programs"),
@@ -37,7 +38,7 @@ pytestmark = [
 ]
 SECONDS = 60.0  # a program may take; the machine may be busy with other tests
 SECRET = "the work of somebody else"
-SOLUTION = (exercise("winding").folder / "solution.py").read_text(encoding="utf-8")
+SOLUTION = solved("winding")
 HEAD = """
 import ctypes, os, sys
 from pathlib import Path
@@ -191,6 +192,12 @@ for name in ("landscape.course.exercises.winding.solution", "landscape.course.ex
         leak(name)
     except (ImportError, OSError):
         pass
+""",
+    "reads the solution that was put together": """
+kept = Path(os.environ["TMPDIR"]).parent / "kept"
+by_c(kept / "winding-solution.py")
+if C.opendir(bytes(kept)) > 0 and os.listdir(kept):
+    leak(kept)
 """,
     "looks into other processes": """
 class Part(ctypes.Structure):
@@ -617,8 +624,12 @@ PYTHONS = {
     "imports the solution": (
         "import importlib\nimportlib.import_module('landscape.course.exercises.winding.solution')"
     ),
+    "reads the solution": (
+        "open(os.path.dirname(os.environ['TMPDIR']) + '/kept/winding-solution.py').read()"
+    ),
 }
-WORDS = {"starts": "start", "ends": "start", "imports the solution": "read"}
+WORDS = {"starts": "start", "ends": "start"}
+WORDS |= {"imports the solution": "read", "reads the solution": "read"}
 
 
 @pytest.fixture(scope="module")

@@ -8,15 +8,16 @@ from pathlib import Path
 import jsonschema
 import pytest
 from folded import each
+from solved import solved
 
 from framelens.base.texts import translator
 from landscape.course.grader.mutants import mutants
-from landscape.course.rehearsal import solutions
 from landscape.course.roster.copies import LEAST, known, pairs, traces
 from landscape.course.roster.copies_page import as_json, as_lines, as_section, likenesses
 from landscape.course.roster.grades import Graded, Row
 from landscape.course.roster.submissions import Submission
-from landscape.course.shelf import COURSE, exercise, source
+from landscape.course.shelf import COURSE, exercise
+from landscape.course.solutions import ways
 
 SCHEMA = json.loads(
     (Path(__file__).resolve().parents[1] / "docs/exercises.schema.json").read_text("utf-8")
@@ -78,7 +79,7 @@ def look(eye, target, up):
 
 
 def with_look(code: str) -> str:
-    return LOOK.sub(lambda _found: code, source(exercise(NAME).folder / "solution.py"), count=1)
+    return LOOK.sub(lambda _found: code, solved(NAME), count=1)
 
 
 def renamed(code: str) -> str:
@@ -99,7 +100,7 @@ def other_comments(code: str) -> str:
 @cache
 def honest(name: str) -> list[str]:
     """Return a class of so many, made from the solutions and the mistakes of an exercise."""
-    first, *others = map(source, solutions(exercise(name)))
+    first, *others = (solved(name, file.name) for file in ways(exercise(name).folder))
     programs = [first, *others, *(mutant.of(first) for mutant in mutants(exercise(name)).values())]
     return [programs[number % len(programs)] for number in range(COUNT)]
 

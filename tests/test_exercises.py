@@ -9,6 +9,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 from folded import each
+from solved import solved
 from sweeps import Todays
 
 from landscape.commands.exercise_check import as_json, as_text
@@ -25,10 +26,6 @@ PATIENCE = 100.0  # seconds a program may take here: the machine may be busy wit
 def grader() -> Iterator[Grader]:
     with Grader(PATIENCE) as found:
         yield found
-
-
-def solution(name: str) -> str:
-    return (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
 
 
 def checked(grader: Grader, folder: Path, code: str) -> Report:
@@ -72,7 +69,7 @@ def test_all_solutions_pass_and_the_start_does_not(
 @pytest.mark.seldom(3, first=1)
 def test_each_mistake_still_fits_its_solution() -> None:
     for name in NAMES:
-        code = solution(name)
+        code = solved(name)
         for mistake, mutant in mutants(exercise(name)).items():
             compile(mutant.of(code), f"{name}: {mistake}", "exec")
 
@@ -118,8 +115,8 @@ ONLY_FIRST = """        if glfw.get_time() > 0:
 def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame(
     name: str, grader: Grader, tmp_path: Path
 ) -> None:
-    once = solution(name).replace(LOOP, LOOP + ONLY_FIRST)
-    assert once != solution(name)
+    once = solved(name).replace(LOOP, LOOP + ONLY_FIRST)
+    assert once != solved(name)
     (size,) = re.findall(r"create_window\((\d+, \d+),", once)
     empty = (code.format(name=name, size=size) for code in (CLEARED, EMPTY))
     for code in (*empty, once):
@@ -166,8 +163,8 @@ def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
     region: str, grader: Grader, tmp_path: Path
 ) -> None:
     name, (old, new) = REGIONS[region]
-    code = solution(name).replace(old, new, 1)
-    assert code != solution(name)
+    code = solved(name).replace(old, new, 1)
+    assert code != solved(name)
     report = checked(grader, tmp_path, code)
     assert failures(report) == ["picture"]
     assert f": {region}. " in hints(report)[0].written(str)
@@ -200,7 +197,7 @@ def test_tests_that_need_a_failed_one_are_not_made(grader: Grader, tmp_path: Pat
 
 
 def test_a_hint_names_the_students_own_line(grader: Grader, tmp_path: Path) -> None:
-    code = mutants(exercise("missing_enable"))["function_only"].of(solution("missing_enable"))
+    code = mutants(exercise("missing_enable"))["function_only"].of(solved("missing_enable"))
     line = code.splitlines().index("    glDepthFunc(GL_LESS)") + 1
     report = checked(grader, tmp_path, code)
     assert f"in line {line} " in "\n".join(as_text(report, lambda text, context="": text))

@@ -7,12 +7,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from solved import solved
 
 from landscape.course import exercise as exercises
 from landscape.course.exercise import Grader, Report
 from landscape.course.grader import recorded
 from landscape.course.grader.evidence import Evidence
 from landscape.course.shelf import exercise
+from landscape.course.solutions import whole
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 NAME = "first_drawing"
@@ -106,7 +108,7 @@ def test_what_the_program_did_not_draw_is_refused(
         ),
         "has no take": ("solution.py", BREAKS.format(call=["glFlush"], takes="[]")),
     }[kind]
-    code = (folder / program).read_text(encoding="utf-8")
+    code = whole(folder / program, folder)
     assert code.count("import glfw\n") == 1
     report = checked(grader, tmp_path, code.replace("import glfw\n", f"import glfw\n{forgery}"))
     assert report.error == {"word": "forged", "frame": 0}
@@ -218,7 +220,7 @@ def test_a_right_program_is_not_refused(
 def test_evidence_whose_draws_cannot_be_computed_ends_in_one_line(
     grader: Grader, tmp_path: Path
 ) -> None:
-    code = (exercise(NAME).folder / "solution.py").read_text(encoding="utf-8")
+    code = solved(NAME)
     forgery = """
 import sys
 state = sys.modules["landscape.course.grader.witness"].state

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from commands import environment, landscape, refused
 from PIL import Image
+from solved import solved
 
 from framelens.base.errors import InputError
 from framelens.system import limits, quoted
@@ -24,10 +25,6 @@ PATIENCE = 100.0  # seconds a program may take here: the machine may be busy wit
 def grader() -> Iterator[Grader]:
     with Grader(PATIENCE) as found:
         yield found
-
-
-def solution(name: str) -> str:
-    return (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
 
 
 def checked(grader: Grader, folder: Path, code: str) -> Report:
@@ -167,15 +164,13 @@ def test_a_program_that_never_ends_is_ended(code: str, words: set[str], tmp_path
 @pytest.mark.seldom(2)
 def test_a_program_may_print_as_much_as_it_likes(grader: Grader, tmp_path: Path) -> None:
     flood = "print('x' * (100 << 20))\nos.write(1, b'y' * (1 << 20))\n"
-    code = solution("missing_enable").replace(
-        "import glfw\n", f"import glfw\nimport os\n{flood}", 1
-    )
+    code = solved("missing_enable").replace("import glfw\n", f"import glfw\nimport os\n{flood}", 1)
     assert checked(grader, tmp_path, code).passed
 
 
 def test_a_call_without_a_context_does_not_count(grader: Grader, tmp_path: Path) -> None:
     on, current = "    glEnable(GL_DEPTH_TEST)\n", "    glfw.make_context_current(window)\n"
-    code = solution("missing_enable").replace(on, "").replace(current, on + current)
+    code = solved("missing_enable").replace(on, "").replace(current, on + current)
     report = checked(grader, tmp_path, code)
     line = code.splitlines().index(on.rstrip()) + 1
     if os.name == "nt":  # where it raises
@@ -190,7 +185,7 @@ def test_a_call_without_a_context_does_not_count(grader: Grader, tmp_path: Path)
 def test_the_line_of_an_exception_is_the_last_of_the_program(
     grader: Grader, tmp_path: Path
 ) -> None:
-    code = solution("transform_order").replace("glRotatef(year, 0, 1, 0)", "glRotatef(year)")
+    code = solved("transform_order").replace("glRotatef(year, 0, 1, 0)", "glRotatef(year)")
     error = checked(grader, tmp_path, code).error
     assert error is not None
     assert error["line"] == code.splitlines().index("    glRotatef(year)") + 1

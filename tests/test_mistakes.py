@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from solved import solved
 
 from landscape.course.exercise import Grader
 from landscape.course.grader.evidence import Frame
@@ -45,8 +46,7 @@ def test_a_picture_of_blocks_is_read_in_their_middles() -> None:
 @pytest.mark.seldom(4)
 @pytest.mark.parametrize("left", ["glPushMatrix()", "glPushAttrib(GL_ENABLE_BIT)", "glFlush()"])
 def test_a_stack_that_grows_is_told_though_the_picture_is_right(left: str, tmp_path: Path) -> None:
-    folder = Path(__file__).parents[1] / "landscape" / "course" / "exercises" / "first_drawing"
-    code = (folder / "solution.py").read_text(encoding="utf-8")
+    code = solved("first_drawing")
     path = tmp_path / "mine.py"
     path.write_text(code.replace("    glBegin(GL_QUADS)\n", f"    {left}\n    glBegin(GL_QUADS)\n"))
     with Grader(100) as grader:
@@ -59,8 +59,7 @@ def test_a_stack_that_grows_is_told_though_the_picture_is_right(left: str, tmp_p
 def test_what_gl_array_element_draws_counts_and_its_vertices_are_not_looked_at(
     tmp_path: Path,
 ) -> None:
-    folder = Path(__file__).parents[1] / "landscape" / "course" / "exercises" / "primitives"
-    code = (folder / "solution2.py").read_text(encoding="utf-8")
+    code = solved("primitives", "solution2.py")
     one_by_one = """    glBegin(kind)
     for number in range(len(vertices)):
         glArrayElement(number)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from solved import solved
 
 from framelens.system import containment
 from landscape.commands import exercise_class
@@ -19,7 +20,7 @@ from landscape.course.grader import confinement, workplace
 from landscape.course.grader.confinement import LANDLOCK, NONE, REQUIRE
 from landscape.course.roster.grades import Rules, grade_class
 from landscape.course.roster.submissions import submissions
-from landscape.course.shelf import FOLDER, exercise
+from landscape.course.shelf import FOLDER
 
 pytestmark = [
     pytest.mark.posix_only("the system contains no programs"),
@@ -28,7 +29,7 @@ pytestmark = [
     ),
 ]
 SECONDS = 60.0  # a program may take; the machine may be busy with other tests
-SOLUTION = (exercise("winding").folder / "solution.py").read_text(encoding="utf-8")
+SOLUTION = solved("winding")
 READS = """
 import os
 def reads():

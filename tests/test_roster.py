@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 import jsonschema
 import pytest
 from commands import landscape, refused
+from solved import solved
 
 from framelens.base.errors import InputError
 from framelens.base.executor import Here
@@ -22,7 +23,6 @@ from landscape.course.roster import grades, moodle, tables
 from landscape.course.roster.grades import Graded, Row, Rules, grade_class
 from landscape.course.roster.page import told
 from landscape.course.roster.submissions import MOST_BYTES, Submission, submissions
-from landscape.course.shelf import exercise
 
 FOLDER = "{}_{}_assignsubmission_file"
 HEADERS = "Identifier,Full name,Grade,Last modified (grade),Feedback comments"
@@ -30,10 +30,6 @@ HEADERS = "Identifier,Full name,Grade,Last modified (grade),Feedback comments"
 
 ROOT = Path(__file__).resolve().parents[1]
 SCHEMA = json.loads((ROOT / "docs/exercises.schema.json").read_text(encoding="utf-8"))
-
-
-def solution(name: str) -> str:
-    return (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
 
 
 def zipped(path: Path, files: dict[str, str | bytes]) -> Path:
@@ -184,8 +180,8 @@ def test_a_zip_that_asks_for_gigabytes_to_unpack_is_refused(
 
 
 CLASS = {
-    f"{FOLDER.format('Ada', 2)}/winding.py": solution("winding"),
-    f"{FOLDER.format('Bo', 1)}/winding.py": solution("winding").replace(
+    f"{FOLDER.format('Ada', 2)}/winding.py": solved("winding"),
+    f"{FOLDER.format('Bo', 1)}/winding.py": solved("winding").replace(
         "(CREAM, TOP, 2, 3)", "(CREAM, TOP, 3, 2)"
     ),
     f"{FOLDER.format('=Cy', 3)}/winding.py": "print(1)\n",

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from solved import solved
 
 from framelens.base.errors import UnexpectedError
 from framelens.system import limits
@@ -25,7 +26,7 @@ glfw.init()
 window = glfw.create_window(640, 480, "", None, None)
 glfw.make_context_current(window)
 """
-SOLUTION = (exercise("winding").folder / "solution.py").read_text(encoding="utf-8")
+SOLUTION = solved("winding")
 # What becomes of a program: "" if it is graded, else a word of troubles.py.
 PROGRAMS = {
     "good": (SOLUTION, ""),

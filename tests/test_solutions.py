@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from folded import each
+from solved import solved
 
 from framelens.base.errors import InputError
 from landscape.commands import exercise_solution
@@ -70,14 +71,20 @@ def test_teachers_are_told_where_the_solutions_are(
         tmp_path / "winding",
         ignore=shutil.ignore_patterns("solution*.py", "mutants.py"),
     )
-    options = argparse.Namespace(name="winding", exercises=tmp_path)
+    options = argparse.Namespace(name="winding", way=1, exercises=tmp_path)
     monkeypatch.delenv(solutions.FOLDER, raising=False)
     with pytest.raises(InputError, match=r"in a checkout.*LANDSCAPE_SOLUTIONS"):
         exercise_solution.run(options)
     monkeypatch.setenv(solutions.FOLDER, str(exercise("winding").folder.parent))
     assert exercise_solution.run(options) == 0
-    text = (exercise("winding").folder / "solution.py").read_text(encoding="utf-8")
+    text = solved("winding")
     assert capsys.readouterr().out == text
+    options.way = 2
+    assert exercise_solution.run(options) == 0
+    assert capsys.readouterr().out == solved("winding", "solution2.py")
+    options.way = 5
+    with pytest.raises(InputError, match="--way 5: expected 1 to 4"):
+        exercise_solution.run(options)
 
 
 def test_a_damaged_file_of_calls_is_an_input_error(tmp_path: Path) -> None:

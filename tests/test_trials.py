@@ -5,12 +5,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
+from solved import solved
 
 from landscape.commands.exercise_check import as_text
 from landscape.course.exercise import Grader, Report
 from landscape.course.grader.grading import UNFOLLOWED, Hint
 from landscape.course.grader.trial import HIGH, LAST, trial
-from landscape.course.shelf import exercise
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 END = "        glfw.swap_buffers(window)\n"
@@ -83,7 +83,7 @@ def grader() -> Iterator[Grader]:
 
 
 def checked(grader: Grader, folder: Path, name: str, changes: Sequence[tuple[str, str]]) -> Report:
-    code = (exercise(name).folder / "solution.py").read_text(encoding="utf-8")
+    code = solved(name)
     for old, new in changes:
         assert code.count(old) == 1
         code = code.replace(old, new)

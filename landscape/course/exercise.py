@@ -149,6 +149,7 @@ class Grader:
         drawn, take = self._trial(found)
         last = elsewhere(drawn)
         tests = [*shown.tests, last, *(hidden.tests if hidden is not None else ())]
+        path = self._runnable(path, found)
         error = _syntax(path)
         if error is not None:
             return Report(found, tests, error=error)
@@ -182,7 +183,7 @@ class Grader:
         chance = random.Random(f"{self._seed} {found.name}")
         program = solution_of(found.folder)
         if program is not None:
-            return trial(program.read_text(encoding="utf-8"), chance), 0
+            return trial(solutions.whole(program, found.folder), chance), 0
         takes = recorded.read(found.folder / recorded.FILE).takes
         number = chance.randrange(1, len(takes))
         return takes[number].trial, number
@@ -231,24 +232,23 @@ class Grader:
         ``take`` is that of a recorded solution. Return the evidence of both; of the program what
         went wrong, if anything did.
         """
-        private = self._private()
+        program = solution_of(found.folder)
+        model = self._runnable(program, found) if program is not None else None
+        private = self._private()  # the model's folder, too
         jobs = [Job(str(path), frames, events, calls, self._seconds, private=private, again=calls)]
         if solution is None:
-            program = solution_of(found.folder)
-            path_of = str(program or recorded.PLAYER)
-            job = replace(jobs[0], path=path_of, trusted=True, again=False)
+            job = replace(jobs[0], path=str(model or recorded.PLAYER), trusted=True, again=False)
             if program is None:
                 job = replace(job, recorded=str(found.folder / recorded.FILE), take=take)
             jobs.append(job)
         outcomes = self._sandbox.run(jobs)
         if solution is None:
             # A recorded one has no text: the tests compare with the text of the start.
-            model = program or found.folder / "start.py"
-            shown = _evidence(model, outcomes[1], frames)
+            shown = _evidence(model or found.folder / "start.py", outcomes[1], frames)
             if not isinstance(shown, Evidence):
                 raise InputError(
                     "{model}: the solution cannot be run here ({solution})",
-                    model=model,
+                    model=program or found.folder,
                     solution=shown.get("reason", shown["word"]),
                 )
             solution = shown
@@ -285,8 +285,16 @@ class Grader:
 
     def _private(self) -> list[str]:
         """Return the files and folders of which a program must read nothing."""
-        folders = [self._shelf.folder, *self._shelf.own.values(), solutions.folder()]
+        kept = self._sandbox.kept
+        folders = [self._shelf.folder, *self._shelf.own.values(), solutions.folder(), kept]
         return [*(os.path.realpath(each) for each in folders if each is not None), *self._others]
+
+    def _runnable(self, path: Path, found: Exercise) -> Path:
+        """Return a file that can be run: the whole program, where a solution has only its parts."""
+        if not solutions.is_in_parts(path, found.folder):
+            return path
+        data = solutions.whole(path, found.folder).encode()
+        return self._sandbox.keep(f"{found.name}-{path.name}", data)
 
     def cause(self, path: Path, frame: int, language: str) -> dict[str, Any] | None:
         """Return why a frame of a program is as it is, as `landscape why --json`; None: not known.

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 
 COLUMNS = 100  # of a line, as everywhere in the project
 _TAG = re.compile(
-    r"# (topic|needs|picture|loop|keys|programs|exercise|lessons|fmt): |# Your code goes here"
+    r"# (topic|needs|picture|loop|keys|programs|exercise|lessons|the rest|without|fmt): "
+    r"|# Your code goes here"
 )
 
 

@@ -16,7 +16,8 @@ from landscape.course.grader.grading import UNLIKE, Result
 from landscape.course.grader.mutants import Mutant, mutants
 from landscape.course.grader.troubles import sentence
 from landscape.course.own_exercise import FRENCH, untranslated
-from landscape.course.shelf import Exercise, source, start
+from landscape.course.shelf import Exercise, start
+from landscape.course.solutions import ways, whole
 
 FEWEST = 4  # mistakes, chosen
 GENERAL = "--heat-map"  # in the hints that say where the picture differs, but not why
@@ -30,16 +31,10 @@ class Finding:
     wrong: Message | None = None
 
 
-def solutions(found: Exercise) -> list[Path]:
-    """Return the files of an exercise's solutions, solution.py first."""
-    first = found.folder / "solution.py"
-    return [first, *sorted(set(found.folder.glob("solution*.py")) - {first})]
-
-
 def count(found: Exercise) -> int:
     """Return how many findings :meth:`Rehearsal.all` has, where solution.py passes."""
     french = (found.folder / FRENCH).is_file()
-    return len(solutions(found)) + 2 + len(mutants(found)) + french
+    return len(ways(found.folder)) + 2 + len(mutants(found)) + french
 
 
 class Rehearsal:
@@ -53,7 +48,7 @@ class Rehearsal:
 
     def all(self) -> Iterator[Finding]:
         """Try everything; what is tried later is not, where solution.py itself does not pass."""
-        for file in solutions(self._found):
+        for file in ways(self._found.folder):
             finding = self.solution(file)
             yield finding
             if finding.wrong is not None and file.name == "solution.py":
@@ -110,7 +105,7 @@ class Rehearsal:
         """Try a mistake: the test fails that should, with a hint that no other gets."""
         tried = Message("the mistake {name} gets a hint of its own", name=name)
         try:
-            code = mutant.of(source(self._found.folder / "solution.py"))
+            code = mutant.of(whole(self._found.folder / "solution.py", self._found.folder))
         except ValueError as error:
             return Finding(tried, Message("{error}", error=error))
         with tempfile.TemporaryDirectory(prefix="landscape-test-") as folder:

@@ -23,6 +23,7 @@ from landscape.course.exercise import gradings
 from landscape.course.grader.picture import pictures
 from landscape.course.ladder import lesson
 from landscape.course.shelf import exercise
+from landscape.course.solutions import runnable
 from landscape.scene.scene import find_view
 
 QUALITY = 82  # chosen, of WebP: no visible difference in these pictures
@@ -161,13 +162,14 @@ def draw_exercise(name: str, folder: Path) -> list[Seen]:
     Return the functions that the solution calls, without the lines: they are not told.
     """
     shown, _hidden = gradings(exercise(name))
-    for kind, file in (("start", "start.py"), ("wanted", "solution.py")):
-        program = exercise(name).folder / file
-        (picture,) = pictures(program, [max(shown.frames)], shown.events or None, limit=LIMIT)
-        for language in LANGUAGES:
-            path = folder / language / f"exercise-{name}-{kind}.webp"
-            Image.fromarray(picture).save(path, quality=QUALITY, method=6)
-    calls = ProgramFrame(str(program), limit=LIMIT).look(all_calls)
+    place = exercise(name).folder
+    with runnable(place / "solution.py", place) as solution:
+        for kind, program in (("start", place / "start.py"), ("wanted", solution)):
+            (picture,) = pictures(program, [max(shown.frames)], shown.events or None, limit=LIMIT)
+            for language in LANGUAGES:
+                path = folder / language / f"exercise-{name}-{kind}.webp"
+                Image.fromarray(picture).save(path, quality=QUALITY, method=6)
+        calls = ProgramFrame(str(solution), limit=LIMIT).look(all_calls)
     return [Seen(call.name, f"{EXERCISE}/{name}", "") for call in calls]
 
 

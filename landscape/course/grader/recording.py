@@ -24,6 +24,7 @@ from framelens.gl.seam import begin_pass, outermost, recording, unnoted
 from framelens.program.program import run
 from framelens.program.program_run import Window
 from framelens.spec import spec
+from landscape.course import solutions
 from landscape.course.exercise import gradings
 from landscape.course.grader import recorded
 from landscape.course.grader.calls import base
@@ -31,7 +32,7 @@ from landscape.course.grader.picture import pictures
 from landscape.course.grader.recorded import FILE, PLAYER, Recorded, Take
 from landscape.course.grader.trial import Trial, trial
 from landscape.course.shelf import NAMES, Exercise, exercise
-from landscape.course.solutions import found
+from landscape.course.solutions import found, runnable
 
 TRIALS = 8  # chosen: a student's grader takes one of them by chance
 # Calls that draw inside glBegin and glEnd, which are left out together.
@@ -41,7 +42,7 @@ INSIDE = ("glEnd", "glVertex", "glArrayElement", "glEvalCoord", "glEvalPoint")
 def runs(of: Exercise) -> list[Trial]:
     """Return what is recorded of a solution: the exercise's own frames, and trials."""
     shown, _hidden = gradings(of)
-    code = found(of.folder).read_text(encoding="utf-8")
+    code = solutions.whole(found(of.folder), of.folder)
     own = Trial(list(shown.frames), list(shown.events), {})
     return [own, *(trial(code, random.Random(f"{n} {of.name}")) for n in range(TRIALS))]
 
@@ -49,7 +50,8 @@ def runs(of: Exercise) -> list[Trial]:
 def source(of: Exercise) -> str:
     """Return the checksum of a solution and of what is recorded of it."""
     drawn = [[list(each.frames), list(each.events)] for each in runs(of)]
-    data = found(of.folder).read_bytes() + json.dumps(drawn).encode()
+    code = solutions.whole(found(of.folder), of.folder)
+    data = code.encode() + json.dumps(drawn).encode()
     return hashlib.sha256(data).hexdigest()
 
 
@@ -58,7 +60,8 @@ def record(of: Exercise) -> bytes:
 
     Unrecorded if its calls do not give its pictures again, or cannot be made again.
     """
-    takes = [_recorded(found(of.folder), each) for each in runs(of)]
+    with runnable(found(of.folder), of.folder) as path:
+        takes = [_recorded(path, each) for each in runs(of)]
     return recorded.packed(Recorded(source(of), takes))
 
 

@@ -52,6 +52,7 @@ FILE_BYTES = 64 << 20  # chosen: the largest file
 MOST_THREADS = 256  # chosen: of one program; drivers have some dozens
 MOST_OPEN = 256  # chosen: open files of one program
 CRASH_BYTES = 64 << 10  # chosen: of what faulthandler writes
+KEPT = "kept"  # a folder in the workplace
 # More threads would cost more time to start than they save. Without any, llvmpipe crashes when a
 # window is resized (SIGFPE, in Mesa 22 and in every second process).
 THREADS = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -149,20 +150,19 @@ class Sandbox:
         NoOpenGLError without a usable OpenGL, InputError if programs are to be contained and cannot
         be, UnexpectedError if a process of ours fails.
         """
-        if self._place is None:
-            self._place = Workplace()
+        place = self._workplace()
         try:
-            with self._place.parts(len(jobs)) as places:
+            with place.parts(len(jobs)) as places:
                 # Programs get a home of their own; other graders' lie in the temporary folder.
-                hidden = os.path.expanduser("~"), tempfile.gettempdir(), str(self._place.folder)
+                hidden = os.path.expanduser("~"), tempfile.gettempdir(), str(place.folder)
                 asked = [
                     {
                         **asdict(job),
-                        "folder": str(place),
+                        "folder": str(each),
                         "cwd": os.getcwd(),
                         "hidden": [*job.private, *hidden],
                     }
-                    for job, place in zip(jobs, places, strict=True)
+                    for job, each in zip(jobs, places, strict=True)
                 ]
                 ends = self._forked(asked) if limits.FORKS else _spawned(asked, self.contain)
             outcomes = []
@@ -179,6 +179,24 @@ class Sandbox:
 
         self.contained = ends[0].contained
         return outcomes
+
+    def _workplace(self) -> Workplace:
+        if self._place is None:
+            self._place = Workplace()
+        return self._place
+
+    @property
+    def kept(self) -> Path | None:
+        """The folder of what it keeps, which no program must read; None if that is nothing."""
+        folder = self._place.folder / KEPT if self._place is not None else None
+        return folder if folder is not None and folder.is_dir() else None
+
+    def keep(self, name: str, data: bytes) -> Path:
+        """Keep a file with some bytes until it is closed, where programs cannot write."""
+        path = self._workplace().folder / KEPT / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(data)
+        return path
 
     @contextlib.contextmanager
     def file(self, data: bytes) -> Iterator[Path]:

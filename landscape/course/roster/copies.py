@@ -29,8 +29,8 @@ from itertools import combinations
 from framelens.base.texts import LANGUAGES
 from landscape.course.grader.grading import _
 from landscape.course.grader.mutants import mutants
-from landscape.course.rehearsal import solutions
-from landscape.course.shelf import Exercise, source, start
+from landscape.course.shelf import Exercise, start
+from landscape.course.solutions import ways, whole
 
 GRAM = 12  # tokens, chosen: about two short lines
 WINDOW = 4  # k-grams, chosen: what is as long as GRAM + WINDOW - 1 tokens is found
@@ -136,10 +136,11 @@ def winnowed(found: Mapping[Key, int]) -> dict[Key, int]:
 def known(exercise: Exercise) -> set[Key]:
     """Return what is no evidence: of the start, the solutions and the mistakes of an exercise."""
     programs = [start(exercise, language) for language in LANGUAGES]
-    files = [path for path in solutions(exercise) if path.is_file()]
-    programs += [source(path) for path in files]
-    if (exercise.folder / "mutants.py").is_file() and files:
-        solution = source(files[0])
+    files = [path for path in ways(exercise.folder) if path.is_file()]
+    right = [whole(path, exercise.folder) for path in files]
+    programs += right
+    if (exercise.folder / "mutants.py").is_file() and right:
+        solution = right[0]
         programs += [mutant.of(solution) for mutant in mutants(exercise).values()]
     return {key for program in programs for key in traces(program)}
 

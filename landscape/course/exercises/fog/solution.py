@@ -1,63 +1,6 @@
-"""Fog: a jetty in the morning
-
-Piles of wood and buoys stand in a bay, and even the farthest ones are as clear as the near ones.
-
-Let there be fog, in each frame from the first, over everything that is drawn. Its colour is FOG. It
-mixes colours by GL_EXP2: of a colour at a distance d there remains the fraction
-f = exp(-(density * d) ** 2), and the rest is fog. At the distance HALF exactly one half is to
-remain: compute the density from that.
-
-Fog concerns only what is drawn, and the sky is not drawn: it is what glClear leaves. It must have
-the fog's colour as well.
-"""
+"""Fog set once before the loop; its density from the distance at which half is left."""
 # exercise: fog
-
-import math
-import sys
-
-import glfw
-from OpenGL.GL import *
-
-FOG = (0.82, 0.78, 0.72)
-HALF = 25  # the distance at which one half of a colour remains
-PILES = [(side, -4 * row) for row in range(18) for side in (-1.2, 1.2)]  # x, z
-BUOYS = ((-3, -4), (3.2, -8), (-4.5, -14), (5.5, -22), (-7, -30), (9, -42))
-
-
-def draw_tube(x, z, profile, color):
-    """Draw a body of revolution: profile lists its radii and heights, from the bottom."""
-    for (r0, y0), (r1, y1) in zip(profile, profile[1:]):
-        glBegin(GL_QUAD_STRIP)
-        for step in range(13):
-            angle = 2 * math.pi * step / 12
-            shade = 0.7 - 0.3 * math.cos(angle)  # it is lit from the left
-            glColor3f(*(shade * channel for channel in color))
-            glVertex3f(x + r1 * math.cos(angle), y1, z + r1 * math.sin(angle))
-            glVertex3f(x + r0 * math.cos(angle), y0, z + r0 * math.sin(angle))
-        glEnd()
-
-
-def draw_bay():
-    glBegin(GL_QUADS)
-    glColor3f(0.12, 0.4, 0.45)
-    for x, z in ((-150, 10), (150, 10), (150, -150), (-150, -150)):
-        glVertex3f(x, 0, z)
-    for row in range(70):
-        glColor3f(*((0.55, 0.4, 0.28) if row % 2 else (0.48, 0.34, 0.24)))
-        for x, z in ((-1, -row), (1, -row), (1, -row - 1), (-1, -row - 1)):
-            glVertex3f(x, 0.5, z)
-    glEnd()
-    for x, z in PILES:
-        draw_tube(x, z, ((0.16, 0), (0.16, 1.3), (0, 1.4)), (0.5, 0.33, 0.22))
-    for x, z in BUOYS:
-        y = 0.1 * math.sin(2 * glfw.get_time() + x)
-        profile = ((0.6, 0), (0.7, 0.4), (0.2, 1.2), (0.2, 1.6), (0, 1.8))
-        draw_tube(x, z, [(r, h + y) for r, h in profile], (0.95, 0.3, 0.15))
-
-
-def on_key(window, key, scancode, action, mods):
-    if key == glfw.KEY_ESCAPE:
-        glfw.set_window_should_close(window, True)
+# the rest: start.py
 
 
 def main():
@@ -93,7 +36,3 @@ def main():
         glfw.poll_events()
 
     glfw.terminate()
-
-
-if __name__ == "__main__":
-    main()

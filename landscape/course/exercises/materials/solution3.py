@@ -1,35 +1,6 @@
-"""Materials and lights: four balls under a lamp and a sky
-
-Four balls of clay, copper, amber and chalk lie in the light of a lamp, GL_LIGHT0. As yet they are
-all of the same grey, which is the material that OpenGL begins with.
-
-set_material gets what a ball is made of, each time before one is drawn: red, green and blue of its
-colour, of its highlight and of its glow, and its shininess. Let it set the material of the front
-faces. The diffuse reflection is the colour, the ambient reflection is 0.4 times the colour, the
-specular reflection is the highlight, and the emission is the glow; alpha is 1 everywhere.
-
-Then let set_sky make GL_LIGHT1 the light of a sky. It comes from straight above in the scene, from
-infinitely far away. Its diffuse light is SKY; it has neither specular nor ambient light. main calls
-set_sky in each picture, after it has placed the camera.
-
-Keys: Left and Right carry the camera around.
-"""
+"""A display list for each material; the light's direction turned upwards by a matrix."""
 # exercise: materials
-
-import math
-import sys
-
-import glfw
-from OpenGL.GL import *
-
-BALLS = (  # the colour, the highlight, the shininess, the glow
-    ((0.7, 0.3, 0.2), (0.1, 0.1, 0.1), 4, (0, 0, 0)),
-    ((0.5, 0.28, 0.16), (0.9, 0.6, 0.4), 40, (0, 0, 0)),
-    ((0.5, 0.3, 0.05), (0.7, 0.7, 0.7), 100, (0.35, 0.16, 0)),
-    ((0.75, 0.75, 0.7), (0, 0, 0), 0, (0, 0, 0)),
-)
-SKY = 0.2, 0.35, 0.6
-turned = 0
+# the rest: start.py
 
 
 def set_material(color, highlight, shininess, glow):
@@ -58,40 +29,6 @@ def set_sky():
     glRotatef(-90, 1, 0, 0)
     glLightfv(GL_LIGHT1, GL_POSITION, (0, 0, 1, 0))
     glPopMatrix()
-
-
-def draw_ball():
-    for ring in range(14):
-        glBegin(GL_QUAD_STRIP)
-        for step in range(29):
-            around = 2 * math.pi * step / 28
-            for polar in (math.pi * ring / 14, math.pi * (ring + 1) / 14):
-                x = math.sin(polar) * math.sin(around)
-                z = math.sin(polar) * math.cos(around)
-                glNormal3f(x, math.cos(polar), z)
-                glVertex3f(x, math.cos(polar), z)
-        glEnd()
-
-
-def draw_balls():
-    for number, material in enumerate(BALLS):
-        set_material(*material)
-        glPushMatrix()
-        glTranslatef(2.3 * number - 3.45, 0, 0)
-        draw_ball()
-        glPopMatrix()
-
-
-def on_key(window, key, scancode, action, mods):
-    global turned
-    if action == glfw.RELEASE:
-        return
-    if key == glfw.KEY_RIGHT:
-        turned -= 10
-    elif key == glfw.KEY_LEFT:
-        turned += 10
-    elif key == glfw.KEY_ESCAPE:
-        glfw.set_window_should_close(window, True)
 
 
 def main():
@@ -128,7 +65,3 @@ def main():
         glfw.poll_events()
 
     glfw.terminate()
-
-
-if __name__ == "__main__":
-    main()

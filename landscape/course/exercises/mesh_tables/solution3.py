@@ -1,44 +1,12 @@
-"""A mesh in two tables: a gem
-
-A gem has six corners. They are in the table VERTICES, each once. Between them lie eight triangles,
-four above and four below; the table FACES is to hold, for each of them, the numbers of its three
-corners in VERTICES, counted from 0. It has only one face yet.
-
-Complete FACES, each face once. From outside, the corners of a face follow each other
-counter-clockwise: faces that look clockwise are left out, as GL_CULL_FACE is on.
-
-Then let draw_gem draw all faces of FACES, each in the colour that color_of returns for its corners.
-
-Keys: Left and Right turn the gem, Up and Down tilt it.
-"""
+"""The faces in another order and turn, each a fan, in a display list."""
 # exercise: mesh_tables
+# the rest: start.py
 
-import sys
-
-import glfw
-from OpenGL.GL import *
-
-VERTICES = (
-    (1, 0, 0),  # 0: right
-    (0, 0, -1),  # 1: behind
-    (-1, 0, 0),  # 2: left
-    (0, 0, 1),  # 3: in front
-    (0, 1.3, 0),  # 4: above
-    (0, -1.3, 0),  # 5: below
-)
 FACES = (
     *((5, 3, 2), (4, 3, 0), (5, 1, 0), (4, 1, 2)),
     *((4, 2, 3), (5, 0, 3), (4, 0, 1), (5, 2, 1)),
 )
 GEM = 1  # a display list
-turned = 20  # degrees
-tilted = 25
-
-
-def color_of(corners):
-    """Return the colour of a face, by where it lies."""
-    x, y, z = (sum(coordinates) / 3 for coordinates in zip(*corners))
-    return 0.62 + x, 0.62 + 0.6 * y, 0.62 + z
 
 
 def draw_gem():
@@ -55,22 +23,6 @@ def compile_gem():
         glVertex3fv(VERTICES[c])
         glEnd()
     glEndList()
-
-
-def on_key(window, key, scancode, action, mods):
-    global turned, tilted
-    if action == glfw.RELEASE:
-        return
-    if key == glfw.KEY_LEFT:
-        turned -= 30
-    elif key == glfw.KEY_RIGHT:
-        turned += 30
-    elif key == glfw.KEY_UP:
-        tilted -= 50
-    elif key == glfw.KEY_DOWN:
-        tilted += 50
-    elif key == glfw.KEY_ESCAPE:
-        glfw.set_window_should_close(window, True)
 
 
 def main():
@@ -104,7 +56,3 @@ def main():
         glfw.poll_events()
 
     glfw.terminate()
-
-
-if __name__ == "__main__":
-    main()

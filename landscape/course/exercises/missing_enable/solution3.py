@@ -1,45 +1,6 @@
-"""One missing line: boxes that hide each other
-
-Five towers stand on a board that turns. They are drawn one after the other, in the order of the
-list, wherever they stand. Each pixel should show what is nearest to the eye; but the towers that
-are drawn last cover those in front of them.
-
-OpenGL can keep the distance of what each pixel shows, and leave out what lies farther away: this is
-the depth test. The window has the buffer for it, and glClear empties it in each frame; only one
-line is missing, which turns the test on. Write it in place of the comment. Change nothing else.
-"""
+"""The depth test, and the scene in a display list."""
 # exercise: missing_enable
-
-import sys
-
-import glfw
-from OpenGL.GL import *
-
-TOWERS = (  # x, z, height, colour
-    (-1.6, -1.6, 2.4, (0.85, 0.35, 0.2)),
-    (1.6, 1.6, 1.6, (0.95, 0.62, 0.35)),
-    (1.6, -1.6, 2.0, (0.25, 0.6, 0.6)),
-    (-1.6, 1.6, 1.2, (0.3, 0.5, 0.8)),
-    (0, 0, 3.2, (0.95, 0.9, 0.8)),
-)
-
-
-def draw_box(x, y, z, width, height, depth, color):
-    """Draw a box that stands on the point x, y, z. Each direction has its shade."""
-    glBegin(GL_QUADS)
-    for axis, shade in ((1, 1), (0, 0.8), (2, 0.6)):
-        glColor3f(*(shade * channel for channel in color))
-        for side in (-1, 1):
-            for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
-                a, b, c = ((side, u, v), (u, side, v), (u, v, side))[axis]
-                glVertex3f(x + a * width / 2, y + (b + 1) * height / 2, z + c * depth / 2)
-    glEnd()
-
-
-def draw_scene():
-    draw_box(0, -0.3, 0, 5.4, 0.3, 5.4, (0.45, 0.47, 0.5))
-    for x, z, height, color in TOWERS:
-        draw_box(x, 0, z, 1.2, height, 1.2, color)
+# the rest: start.py
 
 
 def make_scene():
@@ -49,11 +10,6 @@ def make_scene():
     draw_scene()
     glEndList()
     return scene
-
-
-def on_key(window, key, scancode, action, mods):
-    if key == glfw.KEY_ESCAPE:
-        glfw.set_window_should_close(window, True)
 
 
 def main():
@@ -87,7 +43,3 @@ def main():
         glfw.poll_events()
 
     glfw.terminate()
-
-
-if __name__ == "__main__":
-    main()

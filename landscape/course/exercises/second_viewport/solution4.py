@@ -1,74 +1,8 @@
-"""A second viewport: a map of the maze
-
-A maze seen from the entrance, and a red ball somewhere in it. A map will help. Fill in draw_map:
-
-The map is a square. Its side is a third of the window's height (height // 3), and its lower left
-corner is 16 pixels from the left and from the lower edge of the window. Its background is PAPER,
-and nothing of the large picture remains in the square, neither its colours nor its depths:
-glClear does that, within the scissor box. Then draw_maze draws the maze seen from straight above,
-without perspective: x goes from -6 at the left edge to 6 at the right one, z from -6 at the upper
-edge to 6 at the lower one, and higher things hide lower ones. The walls are one unit high.
-
-After the map, everything is as it was before: draw_frame, which follows, draws a frame around the
-whole window, and the next picture begins as the first one did.
-
-Keys: Left and Right turn. Resize the window: the map keeps its place and its proportions.
-"""
+"""gluLookAt from above, and the maze in a display list."""
 # exercise: second_viewport
+# the rest: start.py
 
-import math
-import sys
-
-import glfw
-from OpenGL.GL import *
 from OpenGL.GLU import *
-
-PAPER = (0.95, 0.9, 0.8, 1)
-MAZE = (
-    "############",
-    "#  #      ##",
-    "#    ####  #",
-    "#### #  ## #",
-    "#    #   # #",
-    "# ####   # #",
-    "# #    ### #",
-    "#   ##   # #",
-    "# #  ### # #",
-    "# ##     # #",
-    "#  #  #    #",
-    "#####  #####",
-)
-turn = 12  # degrees
-
-
-def draw_box(x, z, height, color):
-    """Draw a box of 1 x 1 units. Each direction has its shade."""
-    glBegin(GL_QUADS)
-    for axis, shade in ((1, 1), (0, 0.8), (2, 0.6)):
-        glColor3f(*(shade * channel for channel in color))
-        for side in (0, 1):
-            for u, v in ((0, 0), (1, 0), (1, 1), (0, 1)):
-                a, b, c = ((side, u, v), (u, side, v), (u, v, side))[axis]
-                glVertex3f(x + a, b * height, z + c)
-    glEnd()
-
-
-def draw_maze():
-    for row, line in enumerate(MAZE):
-        for column, letter in enumerate(line):
-            if letter == "#":
-                draw_box(column - 6, row - 6, 1, (0.3, 0.55, 0.42))
-    for step in range(6):  # a ball of rings
-        glColor3f(0.95 - 0.09 * step, 0.32 - 0.03 * step, 0.2)
-        glBegin(GL_QUAD_STRIP)
-        for side in range(17):
-            for polar in (math.pi * step / 6, math.pi * (step + 1) / 6):
-                angle = math.pi * side / 8
-                r = 0.4 * math.sin(polar)
-                x = 0.5 + r * math.cos(angle)
-                z = -1.5 + r * math.sin(angle)
-                glVertex3f(x, 0.4 + 0.4 * math.cos(polar), z)
-        glEnd()
 
 
 def draw_map(width, height, maze):
@@ -93,30 +27,6 @@ def draw_map(width, height, maze):
         glMatrixMode(mode)
         glPopMatrix()
     glPopAttrib()
-
-
-def draw_frame():
-    """Draw a frame around the window."""
-    glMatrixMode(GL_PROJECTION)
-    glLoadIdentity()
-    glMatrixMode(GL_MODELVIEW)
-    glLoadIdentity()
-    glDisable(GL_DEPTH_TEST)
-    glColor3f(0.95, 0.62, 0.35)
-    glBegin(GL_TRIANGLE_STRIP)
-    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)):
-        glVertex2f(x, y)
-        glVertex2f(0.98 * x, 0.98 * y)
-    glEnd()
-    glEnable(GL_DEPTH_TEST)
-
-
-def on_key(window, key, scancode, action, mods):
-    global turn
-    if key in (glfw.KEY_LEFT, glfw.KEY_RIGHT) and action != glfw.RELEASE:
-        turn += 8 if key == glfw.KEY_RIGHT else -8
-    if key == glfw.KEY_ESCAPE:
-        glfw.set_window_should_close(window, True)
 
 
 def main():
@@ -155,7 +65,3 @@ def main():
         glfw.poll_events()
 
     glfw.terminate()
-
-
-if __name__ == "__main__":
-    main()

@@ -1,59 +1,8 @@
-"""The textured sphere: a map around a planet
-
-MAP is the map of a planet: its first row is the far north, its last row the far south, and along a
-row one goes east. Lay it around the ball, once, without a gap: the planet has only one colour yet,
-as no vertex has texture coordinates.
-
-A vertex of the ball lies at a longitude, the angle around the y axis, and at an angle from the
-north pole. s is the part of the whole turn, from 0 to 1, t the part of the way from pole to pole:
-0 in the north, 1 in the south. The vertices of column 0 lie at longitude 0, and s is 0 there.
-
-The last strip of the ball lies between the last column and the first one again. There, s must not
-go back from nearly 1 to 0: the whole map would be squeezed into the strip. What is needed in that
-place instead?
-
-Change draw_planet. The ball keeps its shape and its light.
-
-Keys: Left and Right turn the planet, Up and Down tilt it.
-"""
+"""Whole numbers as coordinates, scaled by the texture matrix, in a display list."""
 # exercise: textured_sphere
+# the rest: start.py
 
-import math
-import sys
-
-import glfw
-from OpenGL.GL import *
-
-MAP = (
-    "****************",
-    "**~~**..~~~***~*",
-    "~~.##..~~~~..~~~",
-    "~.####~~~~.##.~~",
-    "~~.##.~~~~~.dd.~",
-    "~~~.~~~~~~~~ddd~",
-    "~~~~~~##~~~~.d~~",
-    "****************",
-)
-COLORS = {
-    "*": (240, 245, 250),
-    "~": (50, 100, 160),
-    ".": (90, 160, 170),
-    "#": (60, 130, 70),
-    "d": (220, 170, 90),
-}
-COLUMNS = 24
-ROWS = 16
 PLANET = 1  # a display list
-turned = 0
-tilted = 20
-
-
-def make_texture():
-    texels = bytes(channel for row in MAP for letter in row for channel in COLORS[letter])
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 8, 0, GL_RGB, GL_UNSIGNED_BYTE, texels)
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR)
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST)
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE)
 
 
 def draw_planet():
@@ -82,22 +31,6 @@ def add_vertex(column, row):
     glTexCoord2i(column, row)
     glNormal3fv(place)
     glVertex3fv(place)
-
-
-def on_key(window, key, scancode, action, mods):
-    global turned, tilted
-    if action == glfw.RELEASE:
-        return
-    if key == glfw.KEY_LEFT:
-        turned -= 30
-    elif key == glfw.KEY_RIGHT:
-        turned += 30
-    elif key == glfw.KEY_UP:
-        tilted -= 20
-    elif key == glfw.KEY_DOWN:
-        tilted += 20
-    elif key == glfw.KEY_ESCAPE:
-        glfw.set_window_should_close(window, True)
 
 
 def main():
@@ -134,7 +67,3 @@ def main():
         glfw.poll_events()
 
     glfw.terminate()
-
-
-if __name__ == "__main__":
-    main()

@@ -1,28 +1,7 @@
-"""A window: the sky over the roofs
-
-A street at dusk, and a moon that moves. The sky is black, as nothing fills the window with a
-colour, and the moon leaves a trail, as each picture is drawn over the one before it.
-
-Fill the whole window with the colour of the sky at the beginning of each picture. The colour
-depends on `light`: its red is light itself, its green 0.5 times light, its blue 0.35 times light.
-In OpenGL, 1 is the full brightness of a channel.
-
-Then let the keys change it. Up adds 0.1 to `light`, and Down takes 0.1 away, once when the key is
-pressed, and once each time it is repeated because it is held; when it is let go, nothing happens.
-`light` is never less than 0 nor more than 1: at 1, Up does nothing, and a single Down then leads
-to 0.9.
-
-Change draw_sky and on_key.
-"""
+"""The clearing in a display list; the light by arithmetic with the keys."""
 # exercise: window
+# the rest: start.py
 
-import math
-import sys
-
-import glfw
-from OpenGL.GL import *
-
-light = 0.5
 SKY = 1  # a display list
 
 
@@ -32,36 +11,6 @@ def draw_sky():
     glClearColor(*(light * channel for channel in (1, 0.5, 0.35)), 0)
     glCallList(SKY)
     glPopAttrib()
-
-
-def draw_street():
-    glColor3f(0.1, 0.13, 0.18)
-    for left, right, top in ((-1, -0.5, -0.2), (-0.5, 0.1, -0.45), (0.1, 0.55, 0), (0.55, 1, -0.3)):
-        glRectf(left, -1, right, top)
-        glBegin(GL_TRIANGLES)
-        glVertex2f(left, top)
-        glVertex2f(right, top)
-        glVertex2f((left + right) / 2, top + 0.25)
-        glEnd()
-    glColor3f(0.95, 0.75, 0.4)
-    for x, y in (
-        (-0.8, -0.5),
-        (-0.65, -0.5),
-        (-0.3, -0.7),
-        (0.25, -0.3),
-        (0.25, -0.6),
-        (0.8, -0.6),
-    ):
-        glRectf(x, y, x + 0.08, y + 0.15)
-
-
-def draw_moon(x):
-    glColor3f(0.95, 0.92, 0.85)
-    glBegin(GL_POLYGON)
-    for step in range(24):
-        angle = 2 * math.pi * step / 24
-        glVertex2f(x + 0.12 * math.cos(angle), 0.6 + 0.16 * math.sin(angle))
-    glEnd()
 
 
 def on_key(window, key, scancode, action, mods):
@@ -100,7 +49,3 @@ def main():
         glfw.poll_events()
 
     glfw.terminate()
-
-
-if __name__ == "__main__":
-    main()
