@@ -58,13 +58,17 @@ class Animal(Element[Settings], ABC):
         self._vertices = mesh.vertices
         self.reach = scale * float(np.linalg.norm(mesh.vertices, axis=1).max(initial=0.0))
         self._closed = is_closed(mesh.triangles)
-        self._texture = Texture(read_image(assets.path("animal.png"), "RGB"))
+        self._texture = Texture(self._picture(assets))
         self._lists = self._compile(mesh)
 
     @classmethod
     @abstractmethod
     def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the list was made from."""
+
+    def _picture(self, assets: Assets) -> np.ndarray:
+        """Return its texture, uint8 (h, w, 3)."""
+        return read_image(assets.path("animal.png"), "RGB")
 
     def _compile(self, mesh: Mesh) -> dict[float, DisplayList]:
         """Return the display list of a mesh with texture coordinates."""

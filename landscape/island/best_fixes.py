@@ -280,6 +280,57 @@ BEST_FIXES: tuple[Fix, ...] = (
         only=("ground", "sky", "fog", "water"),
     ),
     Fix(
+        "best12",
+        "Waves run up the beach",
+        "close_shore",
+        80.0,
+        {"water.run_up": False},
+        {"water.run_up": True},
+        "In R16 the sea ends in a white line that never leaves its place.",
+        "Look at the sand along the water. Before, foam swells and fades at the edge of the water; "
+        "after, a wave has climbed the sand and drains, and leaves lace and a dark, wet mirror.",
+        "What a swell does at one place of a beach, distance across and time down, is a texture. A "
+        "strip of fine cells along all beaches looks it up; the texture matrix moves it with the "
+        "time, so that no vertex changes.",
+        (
+            "a beach whose dry sand meets the water in a soft edge",
+            "the same beach with lace of foam on wet sand",
+        ),
+        common={
+            **SEA_OF_BEST,
+            **{"water.shallow": True, "water.caustics": True, "water.foam": True},
+            **{"ground.materials": True, "ground.mid_repeat": 13.0, "ground.weathered": True},
+            **{"ground.tiles": 8, "water.repeat": 7.0, "ground.height_image": "height16.png"},
+        },
+        only=("ground", "water", "sky", "reflection", "fog"),
+    ),
+    Fix(
+        "best13",
+        "Scales",
+        "close_dragon",
+        40.0,
+        {"dragon.scaly": False},
+        {"dragon.scaly": True},
+        "The dragon has the texture of 2006, which the rabbit has, too. At arm's length it is a "
+        "smear.",
+        "Look at the curve of the body. Before, it is as smooth as plastic; after, it has scales, "
+        "as large on the neck as on the tail.",
+        "A cellular texture: points are scattered over a tile, each texel belongs to its nearest "
+        "point, and the difference to the distance of the next one draws the furrows. It is made "
+        "when the scene opens, and multiplied by the vertices' colours. The scales have no "
+        "direction, so that nothing shows where the projections along two axes meet.",
+        (
+            "the dragon's body leaving the sea, its skin smooth",
+            "the same body covered with scales",
+        ),
+        common={
+            **SEA_OF_BEST,
+            **{"dragon.mapping": "axis", "dragon.painted": True, "dragon.gloss": 0.5},
+            **{"dragon.sheen": 0.8, "dragon.wet": 1.0, "water.repeat": 7.0},
+        },
+        only=("water", "sky", "dragon", "ground", "fog"),
+    ),
+    Fix(
         "stencil",
         "A reflection that ends with the water",
         Pose(20.0, 1.7, 35.5, 170.0, -14.0),

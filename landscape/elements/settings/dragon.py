@@ -34,6 +34,11 @@ class Dragon:
         needs=("dragon.mapping=axis",),
     )
     painted: bool = setting(False, "chosen", "vertex colours from the mesh file, if it has any")
+    scaly: bool = setting(
+        False,
+        "chosen",
+        "its skin is a texture of scales instead of the one that the rabbit has, too",
+    )
     gloss: float = setting(0.0, "chosen", "strength of the specular highlight", 0, 1, unit="of 1")
     sheen: float = setting(
         0.0,

@@ -131,6 +131,7 @@ BEST: dict[str, Value] = {
     "rabbit.scale": 0.06,
     "dragon.mapping": "axis",
     "dragon.painted": True,
+    "dragon.scaly": True,
     "dragon.gloss": 0.5,
     "dragon.sheen": 0.8,
     "dragon.wet": 1.0,

@@ -1,7 +1,8 @@
 """The dragon of the preset `best`: mapped along axes, painted, glossy, with levels of detail.
 
-The sun glints on its wet scales by GL_SPECULAR, which is added after the texture instead of
-multiplied by it: GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2). What else they mirror is in wet_sheen.py.
+Its skin is a tile of scales (scales.py). The sun glints on them by GL_SPECULAR, which is added
+after the texture instead of multiplied by it: GL_SEPARATE_SPECULAR_COLOR (OpenGL 1.2). What else
+they mirror is in wet_sheen.py.
 State used: as the fine animal; specular material and the light model's colour control.
 """
 
@@ -16,6 +17,7 @@ from framelens.gl.state import glint_after_texture
 from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
+from landscape.elements.best.animals.scales import scales
 from landscape.elements.best.animals.wet_sheen import WetSheen
 from landscape.elements.dragon import dragon_obstacles, planar, swimming
 from landscape.elements.settings import Settings
@@ -34,6 +36,7 @@ class FineDragon(FineAnimal):
     asked_by = (
         "dragon.mapping",
         "dragon.painted",
+        "dragon.scaly",
         "dragon.gloss",
         "dragon.sheen",
         "camera.lod_pixels",
@@ -62,6 +65,10 @@ class FineDragon(FineAnimal):
         dragon = replace(dragon, gloss=float(dragon.gloss > 0.0), sheen=float(dragon.sheen > 0.0))
         mirrored = wet_sheen.built_from(settings)
         return dragon, settings.camera.lod_pixels > 0.0, settings.water.level, mirrored
+
+    def _picture(self, assets: Assets) -> np.ndarray:
+        """Return scales, or the skin of 2006."""
+        return scales() if self.settings.dragon.scaly else super()._picture(assets)
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass."""

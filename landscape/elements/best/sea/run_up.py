@@ -76,8 +76,8 @@ def foam_at(place: np.ndarray, time: float, height: float) -> np.ndarray:
         return np.asarray(np.where(place < edge, body, 0.0))
     drained = (time - RISING) / (1.0 - RISING)
     film = 0.34 * (1.0 - drained) ** 0.6
-    left = 0.36 * (1.0 - drained) ** 1.3 * np.exp(-np.maximum(height - place, 0.0) / 0.5)
-    mark = 0.26 * (1.0 - drained) * np.exp(-np.square((height - 0.05 - place) / 0.05))
+    left = 0.31 * (1.0 - drained) ** 1.3 * np.exp(-np.maximum(height - place, 0.0) / 0.5)
+    mark = 0.15 * (1.0 - drained) * np.exp(-np.square((height - 0.05 - place) / 0.05))
     foam = np.where(place < edge, film, left) + mark
     return np.asarray(np.where(place < height, foam, 0.0))
 

@@ -1,0 +1,58 @@
+"""The skin of a reptile as a tile: rounded scales with furrows between them (``dragon.scaly``).
+
+Technique: cellular texture. Points are scattered, one in each square of a lattice that is closed
+into a ring; each texel belongs to its nearest point. How much nearer that point is than the next
+one tells how far the texel lies from the furrow. The tile is grey, and multiplies the colours of
+the vertices. Scales have no direction: where two charts of axis_mapping.py meet, nothing shows.
+Source: Worley, A cellular texture basis function, SIGGRAPH 1996. No OpenGL.
+"""
+
+import numpy as np
+
+SIDE = 512  # texels
+SCALES = 32  # chosen: scales along a side of the tile
+SCATTER = 0.6  # chosen: part of its square of the lattice in which a scale's point may lie
+FURROW = 0.2  # chosen: width of a furrow, in squares of the lattice
+DARKEST = 0.5  # chosen: brightness at the bottom of a furrow
+UNLIKE = 0.12  # chosen: how much scales differ in brightness
+SEED = 2006
+
+
+def nearest_points(side: int, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the distances to the nearest point and the next, and the nearest one's number.
+
+    Each is (side, side). Distances are in squares of a lattice of ``count`` by ``count``.
+    """
+    generator = np.random.default_rng(SEED)
+    points = generator.uniform(0.5 - 0.5 * SCATTER, 0.5 + 0.5 * SCATTER, (count, count, 2))
+    at = (np.arange(side) + 0.5) * count / side
+    square = at.astype(int)
+
+    first = np.full((side, side), np.inf)
+    second = np.full((side, side), np.inf)
+    number = np.zeros((side, side), int)
+    for down in (-1, 0, 1):
+        for across in (-1, 0, 1):
+            row, column = (square + down) % count, (square + across) % count
+            there = points[np.ix_(row, column)]
+            y = there[..., 0] + (square + down)[:, None] - at[:, None]
+            x = there[..., 1] + (square + across)[None, :] - at[None, :]
+            away = np.hypot(x, y)
+            nearer = away < first
+            second = np.where(nearer, first, np.minimum(second, away))
+            number = np.where(nearer, row[:, None] * count + column[None, :], number)
+            first = np.where(nearer, away, first)
+    return first, second, number
+
+
+def scales(side: int = SIDE, count: int = SCALES) -> np.ndarray:
+    """Return the tile, uint8 (side, side, 3), whose opposite edges continue each other."""
+    first, second, number = nearest_points(side, count)
+    generator = np.random.default_rng(SEED + 1)
+    tone = generator.uniform(1.0 - UNLIKE, 1.0 + UNLIKE, count * count)[number]
+
+    rim = np.clip((second - first) / FURROW, 0.0, 1.0)
+    rim = rim * rim * (3.0 - 2.0 * rim)
+    dome = 1.0 - 0.30 * first  # a scale is brightest in its middle, which faces outwards
+    grey = (DARKEST + (1.0 - DARKEST) * rim) * dome * tone
+    return np.repeat(np.rint(np.clip(grey, 0.0, 1.0) * 255)[..., None], 3, axis=2).astype(np.uint8)
