@@ -100,6 +100,7 @@ SHOTS = {
         GROUPS["ground"], settings=MATERIALS | {"sun.relit": True}, value=(0.1, 0.1, 0.1)
     ),
     "water.roughness": replace(GLINTING, value=0.6),
+    "water.sheltered": of_fix("best10"),
     "castle.sides": replace(GROUPS["castle"], value=24),
     "castle.torches": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "castle.open": replace(GROUPS["castle"], settings={"castle.ornate": True}),
