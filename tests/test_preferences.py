@@ -44,6 +44,29 @@ def test_what_is_kept_is_read_again(folder: Path, monkeypatch: pytest.MonkeyPatc
     assert max(map(len, text.splitlines())) <= 100
 
 
+FIRST = """# as the first version with preferences wrote them: without the sound's
+mouse_speed = 2.5
+invert = true
+field_of_view = 70.0
+reduced_motion = false
+text_size = 1.5
+language = "fr"
+fullscreen = false
+
+[keys]
+forward = ["I", "Up"]
+"""
+
+
+def test_a_file_of_an_older_version_is_read(folder: Path) -> None:
+    (folder / FILE).write_text(FIRST)
+    keys = Keymap({"forward": (glfw.KEY_I, glfw.KEY_UP)})
+    known = {"mouse_speed": 2.5, "field_of_view": 70.0, "text_size": 1.5, "language": "fr"}
+    expected = Preferences(invert=True, keys=keys, **known)  # type: ignore[arg-type]
+    assert read() == (expected, [])
+    assert keep(expected) and read() == (expected, [])
+
+
 def test_nothing_is_kept_without_a_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("LANDSCAPE_CONFIG", "")
     assert not keep(OWN) and read() == (Preferences(), [])

@@ -1,11 +1,13 @@
 """The title: what it offers, by keys, mouse and gamepad; who meets it, and what it keeps."""
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from commands import environment, python
+from commands import SECONDS, environment, python
 from PIL import Image
 
 from landscape.cli import parse
@@ -366,3 +368,22 @@ def test_captions_and_lists_are_not_in_the_picture_of_the_last_walk(tmp_path: Pa
     heard, same = json.loads(done.out)
     assert heard == [[False, False], [True, True]]
     assert same
+
+
+IMPORTED = """
+import json, sys
+import landscape.commands.walk
+import landscape.walk.session
+from landscape.scene.scene import find_view
+find_view("fig35e")
+late = "landscape.hall", "landscape.voxel", "framelens.why", "framelens.program"
+print(json.dumps([name for name in sys.modules if name.startswith(late)]))
+"""
+
+
+def test_a_walk_on_the_island_imports_no_other_scene_before_its_first_picture() -> None:
+    command = [sys.executable, "-c", IMPORTED]  # a process of its own that has imported nothing
+    done = subprocess.run(
+        command, env=environment(LANG="C"), capture_output=True, check=True, timeout=SECONDS
+    )
+    assert json.loads(done.stdout) == []

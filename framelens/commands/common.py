@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError, short
 from framelens.base.texts import choose
@@ -13,8 +14,10 @@ from framelens.commands import option_values
 from framelens.commands.option_values import refusal
 from framelens.commands.parser import backend_option
 from framelens.commands.reporting import notify, on_program, own_input
-from framelens.program.program_frame import ProgramFrame
 from framelens.tape.target import Target
+
+if TYPE_CHECKING:
+    from framelens.program.program_frame import ProgramFrame
 
 PROGRAM = (
     "the path of a .py program that uses PyOpenGL; what follows `--` are the program's own "
@@ -94,8 +97,10 @@ def check_program(target: str) -> None:
         raise InputError("{target}: expected the path of a .py program", target=short(target))
 
 
-def program_frame(options: argparse.Namespace) -> ProgramFrame:
+def program_frame(options: argparse.Namespace) -> "ProgramFrame":
     """Return the frame of a program that the options of a command name."""
+    from framelens.program.program_frame import ProgramFrame
+
     return ProgramFrame(
         options.target,
         backend=options.backend,

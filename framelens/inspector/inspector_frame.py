@@ -20,7 +20,6 @@ from framelens.base.output import next_free
 from framelens.gl.seam import edited, recording, unnoted
 from framelens.inspector.inspector import Inspector
 from framelens.inspector.inspector_image import Picture, cross_image, picture
-from framelens.report.why_report import as_text
 from framelens.state import state
 from framelens.tape import edit_files
 from framelens.tape.edits import Edit, Edits
@@ -28,7 +27,6 @@ from framelens.tape.effects import effects, watch
 from framelens.tape.lists import recompile
 from framelens.tape.pixel import history
 from framelens.tape.tape import Tape
-from framelens.why.diagnosis import diagnose
 
 EVERY = 0.25  # chosen: seconds between recordings while the walk goes on
 QUIET = 0.3  # chosen: seconds without a change, after which the effects of all calls are read
@@ -254,6 +252,10 @@ class Inspection:
         pixel = None if picture else self._pixel(size)
         with unnoted():
             whole = self.with_past(tape)
+            # A walk begins sooner without them.
+            from framelens.report.why_report import as_text
+            from framelens.why.diagnosis import diagnose
+
             found = diagnose(whole, pixel, language=self._language)
             first = found.causes[0].call - whole.begin if found.causes else -1
             lines = [line for line in as_text(found, self._language, walk=False) if line]

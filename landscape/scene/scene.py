@@ -347,10 +347,10 @@ def find_view(name: str) -> tuple[Scene, View]:
     if name in SCENES:
         found = scene(name)
         return found, found.views[found.start]
-    kinds = [scene(each) for each in SCENES]
-    for kind in kinds:
+    for kind in map(scene, SCENES):  # the next one is imported only where it is needed
         if view := kind.named(name):
             return kind, view
+    kinds = [scene(each) for each in SCENES]
     names = [each for kind in kinds for each in (*kind.views, *(fix.name for fix in kind.fixes))]
     close = [each for each in names if name and each.lower().startswith(name.lower())][:CLOSE]
     if close:
