@@ -743,6 +743,8 @@ class Walk:
         self._help, self._until, self._row = False, 0.0, ""
         self.hands.choosing = ""
         self.hearing.forget()
+        if self.inspection.open:
+            self.obey("inspector")
         self.draw(whole=True)
         view = self._begun if begun else kind.start
         keep_last(self.pixels(), LastWalk(view, self.walker.pose))
