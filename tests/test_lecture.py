@@ -175,6 +175,36 @@ def test_the_words_of_a_user_are_not_translated_even_if_a_shipped_lecture_has_th
         assert (words == (lecture.title, step.title, step.text, step.notes)) == same
 
 
+def test_a_copied_lecture_says_in_its_file_what_the_shipped_one_says_in_the_users_language(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LANGUAGE", "fr")
+    for name in ("reflections", "first_course", "course"):
+        folder = tmp_path / name
+        done = shell("lecture", name, "--copy", str(folder), "--lang", "fr")
+        assert done.out.splitlines()[0] == str(folder / f"{name}.txt"), done.err
+        shipped, mine = read(COURSE.parent / f"{name}.txt"), read(folder / f"{name}.txt")
+        assert texts.heading(shipped) == mine.title
+        for one, two in zip(shipped.steps, mine.steps, strict=True):
+            said = texts.title, texts.caption, texts.paragraphs, texts.notes, texts.marked
+            assert [say(one) for say in said] == [say(two) for say in said], one.name
+            assert (one.keys, one.frame) == (two.keys, two.frame)
+            assert two.title in ("", texts.title(one)) and (not one.title) == (not two.title)
+    assert (tmp_path / "reflections" / "fresnel.png").is_file()
+
+    shell("lecture", "reflections", "--copy", str(tmp_path / "en"), "--lang", "en")
+    file = tmp_path / "en" / "reflections.txt"
+    assert file.read_bytes() == (COURSE.parent / "reflections.txt").read_bytes()
+    refused(
+        shell("lecture", "reflections", "--copy", str(file.parent), "--lang", "fr"),
+        f"{file}: existe déjà, modifié",
+    )
+    refused(
+        shell("lecture", str(file), "--copy", str(tmp_path)),
+        "--copy: expected one of course, first_course, reflections, not",
+    )
+
+
 def test_a_lesson_without_notes_asks_what_its_page_asks(tmp_path: Path) -> None:
     (step,) = read(_written(tmp_path, "matrix_stack\n")).steps
     notes = texts.notes(step)

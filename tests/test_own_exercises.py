@@ -215,6 +215,19 @@ def test_a_rehearsal_says_what_does_not_hold(shelf: Shelf, grader: Grader, tmp_p
     assert (str(few.tried), str(few.wrong)) == ("mutants.py has at least 4 mistakes", "it has 3")
 
 
+@pytest.mark.seldom(4, first=1)
+def test_what_a_test_raises_of_the_solution_is_said_with_its_line(tmp_path: Path) -> None:
+    folder = write(tmp_path / NAME)
+    changed("grading.py", "return (left + right) / 2, tip", "return left(right), tip")(folder)
+    line = (folder / "grading.py").read_text().splitlines().index("    return left(right), tip") + 1
+    own = Shelf(tmp_path)
+    with Grader(PATIENCE, shelf=own, seed=1) as grader:
+        found = Rehearsal(own.exercise(NAME), grader, plain).solution(folder / "solution.py")
+    assert str(found.wrong) == (
+        f"placed raised TypeError, grading.py, line {line}: 'numpy.ndarray' object is not callable"
+    )
+
+
 def test_new_texts_come_into_the_catalogue_and_the_rest_of_it_stays(tmp_path: Path) -> None:
     folder = write(tmp_path / NAME)
     changed("hidden.py", "The hand turns back", "The hand comes back")(folder)

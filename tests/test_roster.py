@@ -77,7 +77,7 @@ def test_submissions_are_found_in_a_zip_as_moodle_makes_it(tmp_path: Path) -> No
         ("Flo", "6", None),
     ]
     assert [str(each.error) for each in found if each.error] == [
-        "Cy: handed in no program",
+        "Cy: handed in no program, expected a file that ends in .py",
         f"{FOLDER.format('Ed', 5)}/large.py: too large, expected at most 1 MB",
         f"{FOLDER.format('Flo', 6)}/broken.zip: is not a zip that can be read",
     ]
@@ -205,7 +205,7 @@ def test_a_class_is_a_row_each_in_every_table(
     assert ada.passed and (ada.points, ada.of, ada.hint, ada.late) == (10.0, 10.0, "", True)
     assert not bo.passed and 0 < bo.points < 10 and "clockwise" in bo.hint
     assert "expected a line such as" in rows["=Cy"].error and rows["=Cy"].points == 0
-    assert rows["Di"].error == "Di: handed in no program"
+    assert rows["Di"].error == "Di: handed in no program, expected a file that ends in .py"
     assert all(bool(each.picture) == bool(each.row.tests) for each in graded)
 
     read = list(csv.DictReader(io.StringIO(tables.as_csv(list(rows.values())).decode())))
@@ -379,6 +379,22 @@ def test_the_highest_grade_is_the_number_beside_the_grades() -> None:
     }
     for sheet, most in sheets.items():
         assert moodle.highest(sheet.encode(), "sheet.csv") == most
+
+
+def test_a_scale_is_told_by_its_header_not_by_what_moodle_last_wrote(tmp_path: Path) -> None:
+    by_scale = 'Identifier,Grade,Scale,Feedback comments\nParticipant 1,,"Bad, Good",\n'
+    assert moodle.by_scale(by_scale.encode(), "s.csv")
+    assert moodle.by_scale(by_scale.replace("Scale", "Barème").encode(), "s.csv")
+    assert not moodle.by_scale(f"{HEADERS}\nParticipant 1,Bo,,-,\n".encode(), "s.csv")
+    assert not moodle.by_scale(b"Identifier,Grade\nParticipant 1,\n", "s.csv")
+
+    (tmp_path / "empty.py").write_text("\n")
+    (tmp_path / "sheet.csv").write_text(by_scale)
+    words = ["exercise", "check", "empty.py", "--worksheet", "sheet.csv", "--points", "10"]
+    assert landscape(*words, cwd=tmp_path).err == (
+        "landscape: sheet.csv: the assignment is graded by a scale: Moodle passes over points, and "
+        "takes the comments\n"
+    )
 
 
 def test_control_characters_of_a_student_reach_no_table() -> None:

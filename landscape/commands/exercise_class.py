@@ -37,6 +37,10 @@ HIGHEST = _(
     "--points"
 )
 
+BY_SCALE = _(
+    "{file}: the assignment is graded by a scale: Moodle passes over points, and takes the comments"
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options that a class has and a single program has not."""
@@ -150,13 +154,11 @@ def run(options: argparse.Namespace, language: str) -> int:
     if options.worksheet is not None:
         worksheet = read_bounded(options.worksheet, MOST_WORKSHEET)
         highest = moodle.highest(worksheet, str(options.worksheet))
+        said = _of_worksheet(options, worksheet, highest, language)
+        if said and not options.quiet:
+            print(f"landscape: {said}", file=sys.stderr)
         if points is None:
             points = highest
-        elif highest is not None and highest != points and not options.quiet:
-            values = {"highest": f"{highest:g}", "points": f"{points:g}"}
-            text = translator(language, "course")(HIGHEST)
-            said = text.format(file=options.worksheet, **values)
-            print(f"landscape: {said}", file=sys.stderr)
 
     found = submissions(options.files)
     exercises = shelf(options.exercises)
@@ -197,6 +199,19 @@ def _private(options: argparse.Namespace) -> list[str]:
     places = {os.path.realpath(each) for each in named if each is not None}
     around = {os.path.dirname(each) for each in places if not os.path.isdir(each)}
     return sorted(places | around)
+
+
+def _of_worksheet(
+    options: argparse.Namespace, worksheet: bytes, highest: float | None, language: str
+) -> str:
+    """Return what Moodle will not say of its worksheet and of ``--points``; "" if all is well."""
+    translate = translator(language, "course")
+    if moodle.by_scale(worksheet, str(options.worksheet)):
+        return translate(BY_SCALE).format(file=options.worksheet)
+    if highest is None or options.points in (None, highest):
+        return ""
+    values = {"highest": f"{highest:g}", "points": f"{options.points:g}"}
+    return translate(HIGHEST).format(file=options.worksheet, **values)
 
 
 def _check_outputs(options: argparse.Namespace) -> None:

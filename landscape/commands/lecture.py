@@ -9,14 +9,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError, NoOpenGLError, short
-from framelens.base.output import check_writable, write_whole
-from framelens.base.texts import choose
+from framelens.base.output import check_output_folder, check_writable, write_all, write_whole
+from framelens.base.texts import LANGUAGES, choose, translator
 from framelens.base.texts import marked as _
 from framelens.commands import option_values
 from framelens.commands.parser import language_option
 from framelens.gl import display
 from framelens.system.processes import cores
 from landscape.course.lecture import texts
+from landscape.course.lecture.copy import copied
 from landscape.course.lecture.plan import COURSE, PAPERS, PICTURE, TEXT, VIEW, Lecture, course, read
 
 if TYPE_CHECKING:
@@ -67,6 +68,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=_("of the PDF: slides, or a handout on A4 with the notes; default: 16:9"),
     )
     parser.add_argument(
+        "--copy",
+        type=Path,
+        nargs="?",
+        const=Path(),
+        metavar="DIR",
+        help=_(
+            "copy the lecture, with its pictures, into a folder, to change it: its words in the "
+            "language of --lang; default: the current folder"
+        ),
+    )
+    parser.add_argument(
         "-q", "--quiet", action="store_true", help=_("print no progress while a file is written")
     )
     language_option(parser, "language of the texts")
@@ -75,6 +87,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status."""
     lecture = read(_file(options.file)) if options.file else course()
+    if options.copy is not None:
+        print("\n".join(map(str, copy(_file(options.file or COURSE), options.copy))))
+        return 0
     begin = _begin(lecture, options.begin)
     if options.out:
         write(lecture, options.out, options.paper, options.quiet)
@@ -121,6 +136,28 @@ def _begin(lecture: Lecture, asked: str) -> int:
         asked=short(asked),
         count=len(names),
     )
+
+
+def copy(file: Path, folder: Path) -> list[Path]:
+    """Copy a lecture that comes with the program into a folder, which is made; return the copies.
+
+    InputError, and nothing is copied, where it is another lecture, or a file of these names is
+    there already with another content.
+    """
+    if file.resolve().parent != COURSE.parent:
+        names = ", ".join(sorted(each.stem for each in COURSE.parent.glob("*.txt")))
+        raise InputError("--copy: expected one of {names}, not {file}", names=names, file=file)
+    check_output_folder(folder, "--copy ")
+    language = choose(os.environ)
+    words = None if language == LANGUAGES[0] else translator(language, "course", "lessons")
+    files = {folder / name: content for name, content in copied(file, words).items()}
+    for path, content in files.items():
+        if path.exists() and (not path.is_file() or path.read_bytes() != content):
+            raise InputError(
+                "{path}: is there already, changed; expected a folder without it", path=path
+            )
+    write_all({path: content for path, content in files.items() if not path.exists()})
+    return list(files)
 
 
 def write(lecture: Lecture, files: Sequence[Path], paper: str | None, quiet: bool) -> None:

@@ -5,9 +5,12 @@ names, with a hint that no other mistake gets.
 """
 
 import tempfile
+import traceback
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+
+import numpy as np
 
 from framelens.base.errors import Message
 from framelens.base.texts import Translator
@@ -68,7 +71,7 @@ class Rehearsal:
         wrong = self._failed(report)
         otherwise = [result.test.key for result in report.results if result.otherwise]
         if wrong is None and otherwise and file.name == "solution.py":
-            wrong = Message(
+            wrong = self._raised(report) or Message(
                 "{test} does not find what it looks for: it passes as the picture is right",
                 test=otherwise[0],
             )
@@ -160,6 +163,35 @@ class Rehearsal:
                 tried, Message("the program in French is not Python: {error}", error=error)
             )
         return Finding(tried)
+
+    def _raised(self, report: Report) -> Message | None:
+        """Return what a test raised, and on which line of its file; None if none has.
+
+        Of a student's program that means that it draws something else; of one that draws the right
+        picture, that the test itself is wrong.
+        """
+        work, solution = report.work, report.solution
+        if work is None or solution is None:
+            return None
+        for test in (each.test for each in report.results if each.otherwise):
+            if test.hidden:  # of another run
+                continue
+            try:
+                with np.errstate(all="ignore"):
+                    test.check(work, solution)
+            except Exception as error:
+                lines = traceback.extract_tb(error.__traceback__)
+                own = [line for line in lines if Path(line.filename).parent == self._found.folder]
+                where = (own or lines)[-1]
+                return Message(
+                    "{test} raised {kind}, {file}, line {line}: {error}",
+                    test=test.key,
+                    kind=type(error).__name__,
+                    file=Path(where.filename).name,
+                    line=where.lineno,
+                    error=" ".join(str(error).split()),
+                )
+        return None
 
     def _failed(self, report: Report) -> Message | None:
         """Return why a program has not passed; None if it has."""

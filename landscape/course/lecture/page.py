@@ -51,7 +51,7 @@ aside p { font-size: 1rem; margin-bottom: .4rem; }
 .live .shown { overflow: auto; }
 .live aside { display: none; }
 .live.noted aside { display: block; }
-.live.noted .shown img { max-height: 54vh; }
+.live.noted section:has(aside) .shown img { max-height: 54vh; }
 .help { position: fixed; right: 1rem; bottom: .6rem; color: #8e98a4; font-size: .8rem; }
 @media print {
   @page { size: A4 landscape; margin: 12mm; }
@@ -64,7 +64,7 @@ aside p { font-size: 1rem; margin-bottom: .4rem; }
   .place, aside h3, .code i, aside { color: #444; }
   p, .text p, .text li { font-size: 12pt; }
   .live .shown { overflow: visible; }
-  .shown img, .live.noted .shown img { max-height: 105mm; width: auto; }
+  .shown img, .live.noted section:has(aside) .shown img { max-height: 105mm; width: auto; }
   .code { font-size: 8pt; }
   .code span, .code span.comment { color: #222; }
   .code span.marked { background: #f6ead0; color: #000; print-color-adjust: exact;

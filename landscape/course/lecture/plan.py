@@ -92,9 +92,9 @@ def read(path: Path) -> Lecture:
         raise InputError("{path}: is not text in UTF-8; expected a lecture", path=path)
     title, steps = "", []
     shipped = path.resolve().parent == COURSE.parent
-    for number, block in enumerate(_blocks(text)):
-        if number == 0 and _key(block[0][1])[0] == "title":
-            title = _key(block[0][1])[1]
+    for number, block in enumerate(blocks(text)):
+        if number == 0 and key_of(block[0][1])[0] == "title":
+            title = key_of(block[0][1])[1]
             block = block[1:]
         if block:
             step = _step(path, block)
@@ -120,10 +120,10 @@ def texts(lecture: Lecture) -> Iterator[str]:
 
 
 Lines = list[tuple[int, str]]
-"""Lines with their numbers, from 1."""
+"""Lines with their numbers, from 1, continued ones as one."""
 
 
-def _blocks(text: str) -> Iterator[Lines]:
+def blocks(text: str) -> Iterator[Lines]:
     """Yield the blocks; an indented line continues the one before it, # begins a comment."""
     block: Lines = []
     for number, line in enumerate((*text.splitlines(), ""), 1):
@@ -138,8 +138,8 @@ def _blocks(text: str) -> Iterator[Lines]:
             block = []
 
 
-def _key(line: str) -> tuple[str, str]:
-    """Return the key that a line begins with, and its value; "" and the line without one."""
+def key_of(line: str) -> tuple[str, str]:
+    """Return the key that a line of a block begins with, and its value; without one "", line."""
     found = re.match(r"([A-Za-z]+):\s*(.*)", line)
     if found and (found[1].islower() or found[1].lower() in KEYS):
         return found[1].lower(), found[2]
@@ -152,7 +152,7 @@ def _step(path: Path, block: Lines) -> Step:
     captions = []
     for number, line in block[1:]:
         where = f"{path}, line {number}"
-        key, value = _key(line)
+        key, value = key_of(line)
         if not key:
             captions.append(line)
         elif key not in KEYS:

@@ -25,6 +25,8 @@ COMMENTS = (
     "Commenti di feedback",
     "Feedback als commentaar",
 )
+# Headers of the column after the grades where the assignment is graded by the words of a scale.
+SCALES = ("Scale", "Barème", "Skala", "Bewertungsskala", "Escala", "Scala", "Schaal")
 NUMBER = re.compile(r"(\d+)\s*$")
 GRADE = re.compile(r"\d+([.,]\d+)?")  # in some languages of a site with a comma
 
@@ -80,6 +82,16 @@ def highest(worksheet: bytes, name: str) -> float | None:
         if GRADE.fullmatch(value) and float(value.replace(",", ".")) > 0:
             return float(value.replace(",", "."))
     return None
+
+
+def by_scale(worksheet: bytes, name: str) -> bool:
+    """Return whether the assignment is graded by the words of a scale.
+
+    Moodle then looks for these words in the column of grades, and passes over all else in silence.
+    InputError, which names the file ``name``, if it is not a worksheet.
+    """
+    _text, _rows, headers = _read(worksheet, name)
+    return headers[_grades(headers, name) + 1 :][:1] in [[scale] for scale in SCALES]
 
 
 def _read(worksheet: bytes, name: str) -> tuple[str, list[list[tuple[int, int]]], list[str]]:

@@ -261,7 +261,10 @@ def _programs(student: Submission, files: Iterable[File], room: _Room) -> list[S
             return [replace(student, error=many)]
 
     if not found:
-        nothing = InputError("{student}: handed in no program", student=student.student)
+        nothing = InputError(
+            "{student}: handed in no program, expected a file that ends in .py",
+            student=student.student,
+        )
         return [replace(student, error=nothing)]
     for each in found:
         room.take(each.data or b"")

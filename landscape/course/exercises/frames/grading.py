@@ -277,6 +277,16 @@ def rim(work, solution):
                 x=x,
                 y=y,
             )
+        loops = [draw for draw in work.frame(number).draws if draw.mode == "GL_LINE_LOOP"]
+        away = [np.linalg.norm(draw.eye[:, :2] - HUB, axis=1) for draw in loops[:1]]
+        if away and np.ptp(away[0]) > 0.02:
+            return hint(
+                _(
+                    "In frame {frame} the rim is no circle: does the wheel turn around the z axis, "
+                    "which leads to the eye?"
+                ),
+                frame=number,
+            )
     return None
 
 

@@ -24,6 +24,7 @@ MUTANTS = {
     "radians": Mutant(
         "converts to radians", "rim", [(TURN, TURN.replace("angle", "math.radians(angle)"))]
     ),
+    "axis": Mutant("turns around the y axis", "rim", [(TURN, TURN.replace("0, 0, 1", "0, 1, 0"))]),
     "at_hub": Mutant("does not move the cabins out", "on_rim", [(OUT, "")]),
     "one_place": Mutant(
         "hangs all cabins in one place",

@@ -6,7 +6,9 @@ from landscape.course.grader.grading import _, between, compare, hint, test
 
 FRAMES = (0, 2)
 EVENTS = [{"frame": 2, "key": key} for key in ("LEFT", "LEFT", "LEFT", "UP")]
-WRIST = (1, 0.15, 0.5)  # width, height, depth
+UPPER_ARM = (0.6, 2.2, 0.6)  # width, height, depth
+FOREARM = (0.5, 1.8, 0.5)
+WRIST = (1, 0.15, 0.5)
 FINGER = (0.18, 0.9, 0.4)
 LAMP = (0.15, 1.3, 0.15)
 BASE = (1.8, 0.4, 1.8)
@@ -69,8 +71,8 @@ def left_open(calls):
 )
 def arm(work, solution):
     sizes = {
-        _("the upper arm"): (0.6, 2.2, 0.6),
-        _("the forearm"): (0.5, 1.8, 0.5),
+        _("the upper arm"): UPPER_ARM,
+        _("the forearm"): FOREARM,
         _("the wrist"): WRIST,
     }
     for name, size in sizes.items():
@@ -139,6 +141,15 @@ def fingers(work, solution):
                 )
             )
         wrist_drawn = parts(work, number, WRIST)[0]
+        own = np.linalg.inv(wrist_drawn.modelview)
+        if not any(same(found[1], found[0] @ own @ our) for our in ours):
+            return hint(
+                _(
+                    "The second finger does not begin at the wrist: what is called {place} does "
+                    "not lead back there. The stack does that without computing."
+                ),
+                place=between(*draws),
+            )
         pushed = calls[calls.index(wrist_drawn.call) : first]
         if any(call.name == "glPushMatrix" for call in pushed):
             return hint(
@@ -199,6 +210,21 @@ def lamp(work, solution):
                 "glLoadIdentity before the lamp goes back to the eye, and not to where the base "
                 "began."
             )
+        )
+
+    carried = [
+        draw.modelview
+        for size in (BASE, UPPER_ARM, FOREARM, WRIST, FINGER)
+        for draw in parts(work, 0, size)
+    ]
+    own = np.linalg.inv(parts(work, 0, FLOOR)[0].modelview) @ ours[0]
+    if not any(same(found[0], frame @ own) for frame in carried):
+        return hint(
+            _(
+                "The lamp does not stand beside the base: what is called {place} does not lead "
+                "back to where the base began. The stack does that without computing."
+            ),
+            place=between(parts(work, 0, FINGER)[-1], parts(work, 0, LAMP)[0]),
         )
 
     calls = work.frame(0).calls

@@ -30,6 +30,16 @@ MUTANTS = {
         "unchanged",
         [(PUSH + LEFT + POP, LEFT + "    glRotatef(-25, 0, 0, 1)\n    glTranslatef(0.35, 0, 0)\n")],
     ),
+    "inverse_order": Mutant(
+        "takes the finger's transformations back in their own order",
+        "fingers",
+        [(PUSH + LEFT + POP, LEFT + "    glTranslatef(0.35, 0, 0)\n    glRotatef(-25, 0, 0, 1)\n")],
+    ),
+    "lamp_turned_back": Mutant(
+        "takes only the base's rotation back for the lamp",
+        "lamp",
+        [(PUSH + ARM + POP, ARM + "    glRotatef(-turn, 0, 1, 0)\n")],
+    ),
     "lamp_first": Mutant("draws the lamp first", "arm", [(PUSH + ARM + POP + LAMP, LAMP + ARM)]),
     "lamp_never_popped": Mutant(
         "pushes before the arm and never pops", "lamp", [(PUSH + ARM + POP, PUSH + ARM)]

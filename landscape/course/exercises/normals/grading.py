@@ -116,8 +116,8 @@ def _worst(points, found, right):
     """Return the values of the vertex whose normal is farthest off."""
     at = np.argmax(np.abs(found - right).max(axis=1))
     names = ("x", "y", "z", "a", "b", "c", "right_a", "right_b", "right_c")
-    values = (*points[at], *found[at], *right[at])
-    return dict(zip(names, map(float, values), strict=True))
+    values = np.concatenate((points[at], found[at], right[at])).round(2) + 0.0  # no -0.00
+    return dict(zip(names, values.tolist(), strict=True))
 
 
 @test(

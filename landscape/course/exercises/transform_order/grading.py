@@ -38,12 +38,26 @@ def close(a, b):
     return np.abs(np.subtract(a, b)).max() < NEAR
 
 
-def line_of(work, ball):
+def last_move(work, ball):
+    """Return the last call before a ball that moves it; None without one."""
     draws = drawn(work, 0)
     calls = work.frame(0).calls
     before = calls[: calls.index(draws[ball].call)] if draws[ball].call in calls else calls
     moves = [call for call in before if call.base in ("glTranslate", "glRotate", "glMultMatrix")]
-    return moves[-1].line if moves else 0
+    return moves[-1] if moves else None
+
+
+def line_of(work, ball):
+    last = last_move(work, ball)
+    return last.line if last is not None else 0
+
+
+def on_the_spot(work, number, ball, angle):
+    """Return whether a ball itself is turned round the y axis by an angle in degrees."""
+    cos, sin = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    tilt = np.array([(1, 0, 0), (0, np.cos(TILT), -np.sin(TILT)), (0, np.sin(TILT), np.cos(TILT))])
+    turned = tilt.T @ drawn(work, number)[ball].modelview[:3, :3]
+    return close(turned, [(cos, 0, sin), (0, 1, 0), (-sin, 0, cos)])
 
 
 @test(
@@ -80,7 +94,7 @@ def planet(work, solution):
     found = {number: balls(work, number)[1] for number in FRAMES}
     if all(close(found[number], wanted[number]) for number in FRAMES):
         return None
-    first, line = found[0], line_of(work, 1)
+    first = found[0]
     if close(first, (0, 0, 0)):
         return hint(
             _(
@@ -92,13 +106,22 @@ def planet(work, solution):
         )
 
     if all(close(each, (4.2, 0, 0)) for each in found.values()):
+        last = last_move(work, 1)
+        spot = all(on_the_spot(work, number, 1, YEARS[number]) for number in FRAMES)
+        if spot and last is not None and last.base == "glRotate":
+            return hint(
+                _(
+                    "The planet stays at the right and turns on the spot: the rotation is applied "
+                    "to it first, and then the translation. The call of the rotation must come "
+                    "first; now it comes last, in line {line}."
+                ),
+                line=last.line,
+            )
         return hint(
             _(
-                "The planet stays at the right and turns on the spot: the rotation is applied to "
-                "it first, and then the translation. The call of the rotation must come first; "
-                "now line {line} does."
-            ),
-            line=line,
+                "The planet stays at the right and does not go round: it must be rotated by `year`,"
+                " round the y axis."
+            )
         )
 
     if all(close(found[n], around(4.2, -YEARS[n])) for n in FRAMES):
@@ -148,12 +171,19 @@ def moon(work, solution):
         )
 
     if all(close(found[n], planets[n] + around(1.3, YEARS[n])) for n in FRAMES):
+        if all(on_the_spot(work, n, 2, YEARS[n] + MONTHS[n]) for n in FRAMES):
+            return hint(
+                _(
+                    "The moon stays on the line from the sun to the planet: line {line} rotates it "
+                    "on the spot. Rotate by `month` first, then translate."
+                ),
+                line=line,
+            )
         return hint(
             _(
-                "The moon stays on the line from the sun to the planet: line {line} rotates it on "
-                "the spot. Rotate by `month` first, then translate."
-            ),
-            line=line,
+                "The moon stays on the line from the sun to the planet: it must be rotated by "
+                "`month`, round the y axis."
+            )
         )
 
     if all(close(found[n], around(1.3, MONTHS[n])) for n in FRAMES):

@@ -23,6 +23,8 @@ MUTANTS = {
     "sign": Mutant("rotates the planet clockwise", "planet", [("f(year,", "f(-year,")]),
     "radians": Mutant("converts to radians", "planet", [("f(year,", "f(math.radians(year),")]),
     "axis": Mutant("rotates round the z axis", "planet", [("year, 0, 1, 0", "year, 0, 0, 1")]),
+    "axis_x": Mutant("rotates round the x axis", "planet", [("year, 0, 1, 0", "year, 1, 0, 0")]),
+    "moon_axis": Mutant("rotates the moon round x", "moon", [("month, 0, 1, 0", "month, 1, 0, 0")]),
     "angles_swapped": Mutant(
         "swaps the two angles",
         "planet",
