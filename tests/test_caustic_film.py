@@ -1,12 +1,16 @@
 """The film of caustics: periodic in space and in time, of constant mean, a net and not dots."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
+from framelens.base.errors import InputError
+from landscape.elements import caustic_film
 from landscape.elements.caustic_film import SHEET, between, cut, sines
-from landscape.files.assets import shipped
+from landscape.files.assets import Assets, shipped
 from landscape.files.images import read_image
 from landscape.studio.asset_measures import seams
 
@@ -92,3 +96,9 @@ def test_a_time_lies_between_two_frames() -> None:
     assert (first, second) == (31, 0) and mix == pytest.approx(0.5)
     assert between(2.984375, 32, False) == (31, 0, 0.0)
     assert between(-1e-20, 32, True)[0] in (0, 31)
+
+
+def test_a_sheet_smaller_than_a_frame_is_refused_by_name(tmp_path: Path) -> None:
+    Image.new("L", (40, 300)).save(tmp_path / SHEET)
+    with pytest.raises(InputError, match=r"caustics\.png: .* 40x300"):
+        caustic_film.shipped(Assets(tmp_path))

@@ -9,13 +9,13 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from framelens.base import packages
 from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
 from framelens.base.output import check_folder, check_writable, write_whole
 from framelens.base.progress import Progress
 from framelens.base.texts import Translator, translator
 from framelens.commands.option_values import refusal
-from landscape import __version__
 from landscape.commands.shelves import shelf
 from landscape.commands.work import work
 from landscape.course.grader.confinement import AUTO
@@ -166,7 +166,7 @@ def run(options: argparse.Namespace, language: str) -> int:
         language=language,
         seconds=options.seconds,
         points=points,
-        version=__version__,
+        version=packages.PACKAGES[-1].version,
         again=options.again,
         contain=options.contain or AUTO,
         exercises=exercises.folder,

@@ -12,6 +12,7 @@ import math
 
 import numpy as np
 
+from framelens.base.errors import InputError
 from framelens.gl.seam import gl
 from framelens.gl.texture import Texture
 from landscape.files.assets import Assets
@@ -55,7 +56,17 @@ def between(films: float, count: int, smooth: bool) -> tuple[int, int, float]:
 
 def shipped(assets: Assets) -> np.ndarray:
     """Return the frames (n, SIDE, SIDE) in the assets; InputError names an unusable file."""
-    return cut(read_image(assets.path(SHEET), "L"))
+    path = assets.path(SHEET)
+    sheet = read_image(path, "L")
+    if min(sheet.shape) < SIDE:
+        raise InputError(
+            "{file}: expected frames of {side}x{side} pixels, and it has {width}x{height}",
+            file=path,
+            side=SIDE,
+            width=sheet.shape[1],
+            height=sheet.shape[0],
+        )
+    return cut(sheet)
 
 
 class CausticFilm:
