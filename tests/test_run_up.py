@@ -42,6 +42,18 @@ def test_waves_reach_farther_on_a_level_beach_and_leave_cliffs_alone() -> None:
     assert not run_up.tiles(beach(slope=2.0))
 
 
+def test_the_strip_is_the_same_from_the_cache() -> None:
+    field = beach(slope=0.15)
+    made = run_up.tiles(field)
+    for _ in range(2):
+        found = run_up.remembered_tiles(field)
+        assert len(found) == len(made) > 5
+        for one, other in zip(found, made, strict=True):
+            assert (one.vertices == other.vertices).all() and (one.places == other.places).all()
+            assert (one.triangles == other.triangles).all() and (one.alpha == other.alpha).all()
+    assert run_up.remembered_tiles(beach(slope=2.0)) == []
+
+
 def test_the_strip_lies_on_the_sand_and_on_the_water() -> None:
     field = beach()
     for tile in run_up.tiles(field):

@@ -22,7 +22,7 @@ from landscape.elements.best.animals.wet_sheen import WetSheen
 from landscape.elements.dragon import dragon_obstacles, planar, swimming
 from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
-from landscape.files.cache import content
+from landscape.files.cache import content, recall
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
@@ -68,7 +68,9 @@ class FineDragon(FineAnimal):
 
     def _picture(self, assets: Assets) -> np.ndarray:
         """Return scales, or the skin of 2006."""
-        return scales() if self.settings.dragon.scaly else super()._picture(assets)
+        if not self.settings.dragon.scaly:
+            return super()._picture(assets)
+        return recall(["scales"], lambda: (scales(),))[0]
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass."""

@@ -28,6 +28,7 @@ from landscape.elements.best.sea.foam import COLOUR, FACING, PERIOD, lace, shore
 from landscape.elements.best.sea.mirror_image import Taken, projected
 from landscape.elements.settings import Settings
 from landscape.elements.sun import painted
+from landscape.files.cache import recall
 from landscape.frame import Frame
 from landscape.geometry.culling import boxes_in_view
 from landscape.geometry.height_field import HeightField, lookup
@@ -205,6 +206,38 @@ def debris(foam: np.ndarray) -> np.ndarray:
     return np.rint(np.clip(whole, 0.0, 1.0) * 255).astype(np.uint8)
 
 
+def remembered_tiles(field: HeightField) -> list[Tile]:
+    """Return :func:`tiles`, from the cache if they were made before."""
+
+    def make() -> tuple[np.ndarray, ...]:
+        made = tiles(field)
+        counts = np.array([(len(each.vertices), len(each.triangles)) for each in made], np.int64)
+        if not made:
+            return (counts,)
+        columns = [(each.vertices, each.places, each.alpha, each.triangles) for each in made]
+        return counts, *(np.concatenate(column) for column in zip(*columns, strict=True))
+
+    counts, *columns = recall(("run-up", *field.made_from), make)
+    if not columns:
+        return []
+    ends = counts.reshape(-1, 2).cumsum(axis=0)[:-1]
+    cuts = [ends[:, 0]] * 3 + [ends[:, 1]]
+    parts = [np.split(column, cut) for column, cut in zip(columns, cuts, strict=True)]
+    return [Tile(*each) for each in zip(*parts, strict=True)]
+
+
+def remembered_pictures() -> tuple[np.ndarray, ...]:
+    """Return the textures of what is wet, of debris and of lace, uint8 (n, m, 4) each."""
+
+    def make() -> tuple[np.ndarray, ...]:
+        found, threads = diagram(), lace(seed=1912)
+        dark = 1.0 - (1.0 - DARKEST) * found.wet
+        laced = picture(np.ones_like(threads), threads)
+        return picture(dark, found.shine), debris(found.foam), laced
+
+    return recall(["run-up's textures"], make)
+
+
 def picture(colour: np.ndarray, alpha: np.ndarray) -> np.ndarray:
     """Return a texture, uint8 (n, m, 4), of grey colours and alpha of 0..1."""
     parts = np.stack([colour, colour, colour, alpha], axis=2)
@@ -216,17 +249,15 @@ class RunUp:
 
     def __init__(self, field: HeightField) -> None:
         """Make the textures and the strip."""
-        self._tiles = tiles(field)
+        self._tiles = remembered_tiles(field)
         lowest = np.array([each.vertices.min(axis=0) for each in self._tiles]).reshape(-1, 3)
         highest = np.array([each.vertices.max(axis=0) for each in self._tiles]).reshape(-1, 3)
         self._middles, self._halves = 0.5 * (lowest + highest), 0.5 * (highest - lowest)
         self._joined: tuple[list[int], Tile] | None = None
-        found = diagram()
-        dark = 1.0 - (1.0 - DARKEST) * found.wet
-        self._wet = Texture(picture(dark, found.shine), trilinear=False)
-        self._debris = Texture(debris(found.foam), trilinear=False)
-        threads = lace(seed=1912)
-        self._lace = Texture(picture(np.ones_like(threads), threads), trilinear=False)
+        wet, foam_and_weed, threads = remembered_pictures()
+        self._wet = Texture(wet, trilinear=False)
+        self._debris = Texture(foam_and_weed, trilinear=False)
+        self._lace = Texture(threads, trilinear=False)
 
     def near(self, frame: Frame) -> Tile | None:
         """Return the strip within FARTHEST of the eye and in view; none if there is no beach."""
