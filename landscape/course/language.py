@@ -1,4 +1,4 @@
-"""The language of the course's texts: that of the environment, as gettext finds it.
+"""The language of the course's texts, which the environment names, as gettext finds it.
 
 And its programs in a language: lessons and the plain programs beside them.
 """

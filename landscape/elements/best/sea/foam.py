@@ -216,8 +216,8 @@ class Wash:
 def shore_shape(field: HeightField) -> tuple[np.ndarray, np.ndarray]:
     """Return each texel's distance from the shoreline, positive on the water, and its slope.
 
-    Both float32 (TEXELS, TEXELS); a slope is that of the nearest piece of the shoreline, averaged
-    along it, 0 where there is none.
+    Both float32 (TEXELS, TEXELS). The slope is taken at the nearest piece of the shoreline, and
+    averaged along it; 0 where there is none.
     """
 
     def make() -> tuple[np.ndarray, ...]:

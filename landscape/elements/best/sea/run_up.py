@@ -5,7 +5,7 @@ what a swell does there: a front that climbs fast and drains slowly, lace that i
 line of foam where it turned, and sand that is wet at once and dries slowly. Three waves of
 different height follow each other. A strip of fine cells along all beaches looks it up: s is how
 far up the beach a place is, as a fraction of how far waves reach there; t is when the swell arrives
-there, the same as that of the foam on the water (foam.py). The texture matrix moves t with the
+there, as for the foam on the water (foam.py). The texture matrix moves t with the
 time: no vertex changes. Waves reach farther on a level beach, and not equally far along it.
 Passes, on the strip only and within FARTHEST of the eye: the ground multiplied by how dark it is;
 the sea's mirror image, projected onto it, by Fresnel's alpha and how wet it is; foam, and the weed
