@@ -1,5 +1,7 @@
 """What the systems do differently: each form does what the others do."""
 
+import ctypes
+import mmap
 import os
 import signal
 import threading
@@ -49,6 +51,28 @@ def test_the_machine_has_processors_and_memory() -> None:
     assert 1 <= system.processors() <= (os.cpu_count() or 1)
     memory = system.memory()
     assert memory is None or memory > 1 << 28
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="nothing says what is resident")
+def test_memory_that_was_freed_goes_back_to_the_system() -> None:
+    def resident() -> int:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * mmap.PAGESIZE
+
+    libc = ctypes.CDLL(None)
+    if not hasattr(libc, "malloc_trim"):
+        pytest.skip("not glibc")
+    libc.malloc.restype = ctypes.c_void_p
+    libc.memset.argtypes = ctypes.c_void_p, ctypes.c_int, ctypes.c_size_t
+    libc.free.argtypes = (ctypes.c_void_p,)
+    pieces = [libc.malloc(100_000) for _ in range(400)]
+    for piece in pieces:
+        libc.memset(piece, 1, 100_000)
+    for piece in pieces[:-1]:  # the last one holds the end of the heap
+        libc.free(piece)
+    before = resident()
+    system.give_back()
+    assert before - resident() > 30_000_000
+    libc.free(pieces[-1])
 
 
 def test_the_null_device_is_an_empty_file() -> None:

@@ -641,6 +641,44 @@ def _wait_for(condition, process: subprocess.Popen, what: str) -> None:
         time.sleep(0.05)
 
 
+REBUILT = """
+import gc
+import json
+import weakref
+from landscape.elements.settings import preset
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.settings.declare import with_settings
+from landscape.walk import app
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent
+
+given, seen = [], []
+app.give_back = lambda: given.append(len(seen))
+values = with_settings(preset("2006"), {"ground.resolution": 20})
+plan = Plan("island", values, "", Pose(24.0, None, 31.0), (40, 30), only=("ground",))
+gc.disable()  # a scene that was left must not wait for it
+with app.Walk(plan, Assets(), "osmesa") as walk:
+    first = weakref.ref(walk.place.scene)
+    changes = {0: {"ground.resolution": 21}, 2: {"ground.resolution": 22}}
+    for number in range(12):
+        seen.append(first() is not None)
+        walk.advance(Tick(0.1, Intent(), (), (40, 30), changes=changes.get(number, {})))
+        walk.draw()
+        walk.present()
+print(json.dumps([seen, given]))
+"""
+
+
+def test_a_scene_that_is_opened_anew_gives_its_memory_back() -> None:
+    done = python(REBUILT, env=environment())
+    assert done.status == 0, done.err
+    alive, given = json.loads(done.out)
+    assert alive == [True] + 11 * [False]
+    # Half a second after the last change, once, and at the end.
+    assert given == [9, 12] or given == [8, 12], given
+
+
 OVERLAYS = """
 import json
 import glfw

@@ -199,6 +199,10 @@ def memory() -> int | None:
     return int(status.total_physical)
 
 
+def give_back() -> None:
+    """Give freed memory back to the system, which Windows' heap does by itself."""
+
+
 class _MemoryStatus(ctypes.Structure):
     """MEMORYSTATUSEX of the Windows API."""
 

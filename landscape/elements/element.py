@@ -234,8 +234,14 @@ class Elements(Generic[Values]):
                 (part or element.draw)(frame)
 
     def release(self) -> None:
-        """Release the elements, last built first; may be called twice."""
-        _release(reversed(list(self._elements.values())))
+        """Release the elements, last built first; may be called twice.
+
+        None is kept: what they were built from takes memory, and each knows the others.
+        """
+        built = list(self._elements.values())
+        self._elements = dict.fromkeys(self._elements)
+        self._by_kind.clear()
+        _release(reversed(built))
 
 
 class OfElements(Generic[Values]):

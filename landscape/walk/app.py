@@ -4,6 +4,7 @@ Every frame (loop.py) advances the walk by one :class:`Tick`, live or from a rec
 does, so a replay reproduces a recorded walk to the pixel.
 """
 
+import math
 import os
 import time
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
@@ -22,6 +23,7 @@ from framelens.gl.glfw_library import glfw
 from framelens.inspector.inspector_frame import Inspection
 from framelens.inspector.keys import system_name
 from framelens.inspector.panel import Panel, enlarged
+from framelens.system import give_back
 from framelens.tape.edits import Edit
 from landscape.elements.element import watched
 from landscape.files.assets import Assets
@@ -59,6 +61,7 @@ from landscape.walk.walker import Intent, aimed, start
 SHOWN = 2.0  # seconds for which a message is shown, at least
 READ = 0.06  # chosen: seconds in which a character of a message is read
 FADE = 0.5  # chosen: seconds, at the end of that time, in which the message fades out
+TIDY = 0.5  # chosen: seconds of the walk after a change in which another one may follow
 REST = 0.05  # chosen: seconds between checks of a window that is minimised or has no area
 
 
@@ -134,6 +137,7 @@ class Walk:
         self.to_title = False  # whether the user has asked for the title
         self._titled, self._keeps = titled, keeps
         self._begun = plan.view
+        self._tidy_at = math.inf  # when memory that was freed goes back to the system
         self._waiting: Waiting | None = None
         self._context: GLFWContext | None = context or GLFWContext(
             plan.size, "landscape", True, fullscreen, backend, enlarged
@@ -554,6 +558,7 @@ class Walk:
             return
         self._places.leave(left)
         self.place, self._door = place, door.to
+        self._tidy_later()
         self.walker = start(place.way_in(door, intent), place.scene, place.settings)
         self._rate = FrameRate(self._named(place.kind.title))
         self._say(self._named(place.kind.title))
@@ -587,12 +592,24 @@ class Walk:
         """Change settings; open the scene again if it cannot take them as it is."""
         with self.inspection.building():
             self.place.apply(changes, self._rebuild)
+        self._tidy_later()
 
     def _rebuild(self) -> None:
         """Open the scene again."""
         self._wait("rebuilding")
         with self._progress():
             self.place.open(self._assets, self._seed)
+        self._tidy_later()
+
+    def _tidy_later(self) -> None:
+        """Give memory back soon: what was built again has left as much behind as it takes."""
+        self._tidy_at = self.seconds + TIDY
+
+    def _tidy(self) -> None:
+        """Give memory back if that is due. It takes about as long as a frame."""
+        if self.seconds >= self._tidy_at:
+            self._tidy_at = math.inf
+            give_back()
 
     def _change(self, tick: Tick) -> None:
         """Show the list with its chosen row, and make the changes that were asked for there."""
@@ -717,6 +734,7 @@ class Walk:
             self._note = self._word("saved", name=name) if name else self._word("not_saved")
         self.steady.show(self.window)
         self._rate.count(self.window)
+        self._tidy()
 
     def close(self) -> None:
         """Save the world, or raise InputError; release all, in order; may be called twice."""
@@ -730,6 +748,7 @@ class Walk:
                 if owner is not None:
                     owner.release()
             self._panel = self._context = None
+            give_back()  # the title, if the walk began there, goes on
 
     def _keep_last(self) -> None:
         """Keep what is seen, and where, for the title and for the next walk's first picture."""

@@ -81,7 +81,7 @@ class Place:
             except InputError:
                 opened.release()
                 raise
-        self._scene = opened
+        self._scene, self._sounds = opened, None
         if former is not None:
             former.release()
 
