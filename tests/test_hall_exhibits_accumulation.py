@@ -34,10 +34,14 @@ def view() -> Iterator[Offscreen]:
 
 
 def picture(
-    view: Offscreen, place: tuple[float, ...], kt: float = 20.0, **changed: Any
+    view: Offscreen,
+    place: tuple[float, ...],
+    kt: float = 20.0,
+    wireframe: bool = False,
+    **changed: Any,
 ) -> np.ndarray:
     """Return a picture with other settings of the exhibits, int16."""
-    view.look(Pose(*place), kt)
+    view.look(Pose(*place), kt, wireframe)
     values = view.scene.settings
     exhibits = type(values.exhibits)(**changed)
     view.scene.elements[Cabinet].take(type(values)(exhibits=exhibits))
@@ -207,6 +211,19 @@ def test_one_point_throws_a_hard_shadow_and_many_a_soft_one_of_the_same_light(
     assert between.mean() > 0.05 and (hard == 0.0).mean() > 0.01
     assert soft.min() < 0.8
     assert abs((1 - soft).mean() - (1 - hard).mean()) < 0.2 * (1 - hard).mean()
+
+
+def test_a_wireframe_shows_the_wires_of_an_accumulated_model(view: Offscreen) -> None:
+    without = picture(view, RABBITS, wireframe=True, focus=False)
+    shown = np.abs(picture(view, RABBITS, wireframe=True) - without).max(2) > 20
+    # Not only the outline of the rectangle that shows the mean.
+    assert shown[40:80].mean() > 0.05
+
+
+def test_a_shadow_that_was_made_in_a_wireframe_is_the_same(view: Offscreen) -> None:
+    filled, other = shade(view, soft_samples=5), shade(view, soft_samples=4)
+    assert np.abs(filled - other).max() > 0.01
+    np.testing.assert_array_equal(shade(view, soft_samples=5, wireframe=True), filled)
 
 
 def test_exhibits_out_of_view_or_far_away_are_not_accumulated(view: Offscreen) -> None:

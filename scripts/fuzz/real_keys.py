@@ -73,12 +73,11 @@ def watched(outcome: Path, words: list[str]) -> int:
         listed = bool(walk.hands.choosing)
         open_now = listed or walk.hands.captured or walk.hands.listing
         told: dict[str, object] = {"escapable": open_now, "inspecting": walk.inspection.open}
-        told["scene"] = walk.place.kind.name
+        told["scene"], told["size"] = walk.place.kind.name, walk._size
         if number % OFTEN == 0 and not walk.inspection.open:
             walk.draw(whole=True)
             if not listed:
                 told["seen"] = hashlib.sha256(read_pixels(walk._size)).hexdigest()
-            told["size"] = walk._size
             walker, place = walk.walker, walk.place.kind.name
             told["pose"] = [place, walker.x, walker.y, walker.z, walker.yaw, walker.pitch, walk.kt]
             told["said"] = walk._message
@@ -369,15 +368,17 @@ def replayed(
     again = Watcher(outcome)
     again.news()
     compared = different = 0
-    for now, then in zip(live, again.all, strict=False):
+    for now, then, following in zip(live, again.all, [*live[1:], {}], strict=False):
         if now["inspecting"]:
             break
         if "pose" not in now:
             continue
         compared += 1
+        # The window may have got its new size while the frame was drawn.
+        resized = following.get("size") != now["size"]
         other = [
             key
-            for key in ("size", "pose", "said", "seen")
+            for key in ("size", "pose", "said", *(() if resized else ("seen",)))
             if key in now and now[key] != then.get(key)
         ]
         if other:

@@ -208,9 +208,14 @@ def looking(projection: np.ndarray) -> Iterator[None]:
 
 
 def quad(texture: tuple[float, ...], place: tuple[float, ...], z: float) -> None:
-    """Send a rectangle (left, bottom, right, top) with one of the texture, at depth ``z``."""
-    gl.glBegin(gl.GL_QUADS)
-    for i, j in ((0, 1), (2, 1), (2, 3), (0, 3)):
-        gl.glTexCoord2f(texture[i], texture[j])
-        gl.glVertex3f(place[i], place[j], z)
-    gl.glEnd()
+    """Draw a rectangle (left, bottom, right, top) with one of the texture, at depth ``z``.
+
+    It is filled in a wireframe, too: the texture is the picture, of wires perhaps.
+    """
+    with attrib(gl.GL_POLYGON_BIT):
+        gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)
+        gl.glBegin(gl.GL_QUADS)
+        for i, j in ((0, 1), (2, 1), (2, 3), (0, 3)):
+            gl.glTexCoord2f(texture[i], texture[j])
+            gl.glVertex3f(place[i], place[j], z)
+        gl.glEnd()

@@ -174,12 +174,13 @@ class SoftShadow(Exhibit):
     def _make(self, accumulation: Accumulation) -> None:
         """Make the textures of both receivers."""
         points = self.points() if self.settings.exhibits.soft_samples > 1 else [lamp(SOFT)]
-        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT
+        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
 
         def draw(number: int) -> None:
             with attrib(groups), matrix():
                 gl.glLoadIdentity()
                 gl.glDisable(gl.GL_DEPTH_TEST)
+                gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)  # a wireframe has it, too
                 gl.glColor4f(0.0, 0.0, 0.0, 1.0)
                 gl.glTranslatef(*self._place)
                 self._list.call()
