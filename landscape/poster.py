@@ -49,11 +49,13 @@ def draw(
     """
     kind, named = found(view, scene(arguments.get("place", "")))
     shown = [name for name in kind.shown(named, arguments.get("only")) if name not in kind.overlay]
+
     given = {**arguments, "size": tile, "only": shown}
     packed = zlib.compress(pickle.dumps((view, size, given, kt, wireframe, dict(SCENES))))
     rows = [(y, min(tile[1], size[1] - y)) for y in range(0, size[1], tile[1])]
     columns = [(x, min(tile[0], size[0] - x)) for x in range(0, size[0], tile[0])]
     corners = [(x, y) for y, _ in rows for x, _ in columns]
+
     output = Output(out, f"--out {out}")
     try:
         with (

@@ -15,6 +15,7 @@ EXAMPLE = "program.py --by draw --buffers color,depth --out strip.html"
 def add_options(parser: argparse.ArgumentParser, target: str) -> None:
     """Add the options of the command, whatever the target, which is explained, may be."""
     common.target_argument(parser, target)
+
     parser.add_argument(
         "--by",
         choices=GROUPINGS,
@@ -36,6 +37,7 @@ def add_options(parser: argparse.ArgumentParser, target: str) -> None:
         help="a sheet, an animation, or a page that lists the calls, too; default: "
         "TARGET-strip.png",
     )
+
     language_option(parser)
     common.frame_options(parser)
 

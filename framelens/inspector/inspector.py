@@ -40,21 +40,25 @@ class Inspector:
         self.stopped = True
         self.edits = list(edits)
         self.version = 0
+
         self.wants: set[str] = set()
         self.pixel: tuple[int, int] | None = None
         self.said: tuple[str, dict[str, str]] = ("", {})
         self.answer: list[str] = []
+
         self.tree = Tree()
         self.opened: set[Identity] = set()
         self.selected: Identity = ()
         self.rows: list[Node] = []
         self.first: int | None = None  # the first row shown, None: the chosen one is in the middle
+
         self.place: tuple[int, int | None, str] | None = None  # the chosen cell of the call
         self.history: list[Row] | None = None  # of the pixel, while it is shown
         self.fragment = 0  # the chosen row of the history
         self.effects: Mapping[str, Effect] = {}
         self.numbers: Sequence[int] = ()  # of the calls listed, as `landscape trace` counts them
         self.frame: int | None = None  # the number of a program's frame
+
         self._past: list[list[Edit]] = []
         self._dragged: tuple[Cell, float] | None = None
         self._moved = False

@@ -316,6 +316,7 @@ class Inspection:
             top -= top // 2
             width = self.shown.image.shape[1]
             inside = left <= x < left + width and top <= y < top + height
+
             if what == "wheel" and inside:
                 model.wheel(extra, self.shown.first)
             elif what == "press" and inside:

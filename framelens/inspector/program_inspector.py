@@ -174,15 +174,18 @@ class ProgramInspector(ExitStack):
         window, number = self._opened, self._number_shown
         if window is None:
             return tape
+
         before = list(self._setup.calls) if number else []
         shift = len(before)
         calls = [*before, *(replace(call, number=call.number + shift) for call in tape.calls)]
+
         glu = self._glu.get(True, []) if number else []
         glu = [note for note in glu if note.end <= shift]
         glu += [
             replace(note, begin=note.begin + shift, end=note.end + shift)
             for note in self._glu.get(number == 0, [])
         ]
+
         past = Past(
             window=window,
             showing=window.showing,

@@ -99,6 +99,7 @@ class Blend:
             )
             for k in (0, 1)
         )
+
         apply: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
             "GL_FUNC_ADD": lambda a, b: a + b,
             "GL_FUNC_SUBTRACT": lambda a, b: a - b,
@@ -108,9 +109,11 @@ class Blend:
         if rgb in ("GL_MIN", "GL_MAX"):
             least = np.minimum if rgb == "GL_MIN" else np.maximum
             return least(source, before), f"{rgb} of {colour(source)} and {colour(before)}"
+
         terms = first * source, second * before
         result = apply.get(rgb, np.add)(*terms)
         result[3] = apply.get(alpha, np.add)(*terms)[3]
+
         sides = [
             f"{_weight(weight)} x {colour(value)}"
             for weight, value in ((first, source), (second, before))
@@ -121,6 +124,7 @@ class Blend:
 
     def _combine_bits(self, source: np.ndarray, before: np.ndarray) -> tuple[np.ndarray, str]:
         s, d = (np.rint(np.clip(each, 0, 1) * 255).astype(np.uint8) for each in (source, before))
+
         results = {
             "GL_CLEAR": s * 0,
             "GL_SET": s * 0 + 255,
@@ -139,6 +143,7 @@ class Blend:
             "GL_OR_REVERSE": s | ~d,
             "GL_OR_INVERTED": ~s | d,
         }
+
         text = f"{self.logic} of the bits of {colour(source)} and {colour(before)}"
         return results[self.logic] / 255.0, text
 

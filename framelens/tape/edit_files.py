@@ -90,10 +90,12 @@ def _edit(entry: object, where: str) -> Edit:
         raise InputError(
             '{where}: expected {{"call": {{...}}, "argument": N, "value": ...}}', where=where
         )
+
     call = entry["call"]
     key, occurrence = _key(call, where), _whole(call, "occurrence", where)
     shown = call.get("was", "")
     edit = Edit(key, occurrence, shown=shown if isinstance(shown, str) else "", origin=where)
+
     if entry.get("skip") is True:
         if not may_be_left_out(key.name):
             raise InputError(
@@ -102,6 +104,7 @@ def _edit(entry: object, where: str) -> Edit:
                 name=key.name,
             )
         return replace(edit, skip=True)
+
     if "value" not in entry or "argument" not in entry:
         raise InputError('{where}: expected "argument" and "value", or "skip": true', where=where)
     component = _whole(entry, "component", where) if "component" in entry else None
@@ -115,6 +118,7 @@ def _key(call: Mapping[str, object], where: str) -> Key:
     select = call.get("select", [])
     if not isinstance(select, list) or not all(isinstance(each, str) for each in select):
         raise InputError('{where}: expected "select" to be a list of names', where=where)
+
     texts = [_text(call, name, where) for name in TEXTS]
     name, element, file, function, text = texts
     if not name.startswith("gl"):
@@ -123,6 +127,7 @@ def _key(call: Mapping[str, object], where: str) -> Key:
             where=where,
             name=short(name),
         )
+
     listed = None
     if "list" in call:
         inside = call["list"]
@@ -131,6 +136,7 @@ def _key(call: Mapping[str, object], where: str) -> Key:
         names = ("element", "file", "function", "text")
         its = {each: _text(inside, each, where) for each in names}
         listed = ListKey(**its, occurrence=_whole(inside, "occurrence", where))
+
     return Key(
         name, element, _text(call, "pass", where), file, function, text, tuple(select), listed
     )
@@ -174,6 +180,7 @@ def _value(value: object, where: str) -> object:
         return value
     elif isinstance(value, bool) or _is_number(value):
         return value
+
     raise InputError(
         "{where}: {value}: expected a number, a list of them, or GL_... names",
         where=where,

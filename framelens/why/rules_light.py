@@ -119,6 +119,7 @@ def _set_and_off(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     dark = _dark(survey, mine)
     if not dark and survey.pixel is None:
         return
+
     setters = mine[-1].setters.last
     for name in LIGHTS:
         set_by = next((c for v, c in setters.items() if v.startswith(f"{name}.")), None)

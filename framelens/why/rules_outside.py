@@ -128,6 +128,7 @@ def _turned_round(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> 
             continue
         if isinstance(at_of(survey, call), GluCall):
             continue
+
         yield Suspect(
             "behind",
             at=call,

@@ -57,6 +57,7 @@ def _of_nothing(survey: Survey) -> Iterator[Suspect]:
         lengths = QUADRICS.get(note.name)
         if lengths is None or note.end != note.begin or note.pass_ == "setup":
             continue
+
         quadric, *numbers = note.args
         sizes = [abs(float(size)) for size in numbers[:lengths]]
         slices, stacks = (max(int(number), 8) for number in numbers[lengths : lengths + 2])
@@ -64,6 +65,7 @@ def _of_nothing(survey: Survey) -> Iterator[Suspect]:
             sizes.sort()
         if not any(sizes):
             sizes = [1.0] * lengths
+
         better = (quadric, *sizes, slices, stacks, *numbers[lengths + 2 :])
         yield Suspect(
             "glu-nothing",
@@ -163,6 +165,7 @@ def _tiny(survey: Survey) -> Iterator[Suspect]:
     small = [draw for draw in small if not draw.passed]
     if not small:
         return
+
     extent = max(_extent(survey, draw) for draw in small)
     larger = np.diag([100.0 / extent] * 3 + [1.0])
     chain = small[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
@@ -235,6 +238,7 @@ def _not_numbers(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
             draws=[draw],
         )
         return
+
     place = found.places[int(bad[0])]
     call = next(step.call for step in draw.steps if step.place == place)
     fixed = {
@@ -243,6 +247,7 @@ def _not_numbers(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
         ]
         for k in bad
     }
+
     yield Suspect(
         "nan",
         at=call,

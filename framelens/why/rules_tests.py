@@ -473,6 +473,7 @@ def _same_color(group: list[Drawn]) -> Iterator[Suspect]:
         and not d.state["GL_LIGHTING"]
         and any(d.state["GL_COLOR_WRITEMASK"])
     ]
+
     if plain:
         change = with_state(["COLOR_BUFFER", "ENABLE"], INVERT, plain)
         color = [float(f"{c:.3g}") for c in plain[0].state["GL_CURRENT_COLOR"][:3]]

@@ -87,11 +87,13 @@ def list_open(survey: Survey) -> Iterator[Suspect]:
             begun = call
         elif call.name == "glEndList":
             begun = None
+
     if begun is None:
         return
     own = begun.compiled.calls() if begun.compiled is not None else []
     inner = [call for call in own if call.site.function == begun.site.function]
     after = [call for call in own if call.site.line > begun.site.line and call in inner]
+
     yield Suspect(
         "no-end-list",
         at=begun,

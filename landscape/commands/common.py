@@ -113,9 +113,11 @@ def drawing_options(parser: argparse.ArgumentParser, samples: int, preset: str =
     group.add_argument("--preset", metavar="best|2006", help=preset)
     settings_options(group, "[fog] density = 0.05", "fog.density=0.05", "landscape settings")
     assets_option(group)
+
     only = group.add_argument("--only", type=option_values.elements, metavar="ELEMENT,...")
     explain(only, "draw only some elements of %(elements)s; default: those of the view")
     group.add_argument("--wireframe", action="store_true", help="draw lines instead of faces")
+
     group.add_argument(
         "--samples",
         type=option_values.samples,

@@ -47,11 +47,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE|FOLDER|ZIP",
         help=_("the program; or a folder, a zip or several files: a class"),
     )
+
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--json", action="store_true", help=_("print JSON"))
     what.add_argument(
         "-q", "--quiet", action="store_true", help=_("print nothing: the exit status says it")
     )
+
     parser.add_argument(
         "--heat-map",
         type=Path,
@@ -73,6 +75,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             "so that only Python does; default: auto"
         ),
     )
+
     exercises_option(parser)
     language_option(parser, "language of the texts")
     exercise_class.add_arguments(parser)

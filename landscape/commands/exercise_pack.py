@@ -26,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.add_argument("names", metavar="NAME", nargs="+", help=_("the exercises"))
     own_option(parser)
+
     parser.add_argument(
         "--out",
         type=Path,
@@ -33,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help=_("the folder for students.zip, which has no solutions, and teacher.zip"),
     )
+
     parser.add_argument(
         "--without-checks",
         action="store_true",
@@ -43,6 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help=_("pack your own exercises without trying them first"),
     )
+
     parser.add_argument("-q", "--quiet", action="store_true", help=_("print nothing"))
     language_option(parser, "language of the texts")
 

@@ -60,6 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.add_argument("views", nargs="*", metavar="VIEW|FILE.svg|RECORDING|tour", help=SOURCES)
     parser.add_argument("--out", type=Path, metavar="FILE.mp4|.webm|.gif", help=OUT)
+
     parser.add_argument(
         "--fps",
         type=lambda text: _within(number(text), text, 1.0, MOST_FPS),
@@ -79,13 +80,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="",
         help="where a path leads; flyover: over its own terrain, without OpenGL; default: island",
     )
+
     kt_option(parser, "animation time at the beginning")
     work_options(parser, JOBS)
+
     group = parser.add_argument_group("parts")
     group.add_argument("--parts", type=Path, metavar="DIR", help=PARTS)
     group.add_argument("--share", action="store_true", help=SHARE)
     group.add_argument("--join", type=Path, metavar="DIR|FILE.json", help=JOIN)
     group.add_argument("--status", type=Path, metavar="DIR|FILE.json", help=STATUS)
+
     parser.add_argument("--camera", choices=RIGS, default=ONE, help=CAMERA)
     parser.add_argument("--sound", action="store_true", help=SOUND)
     language_option(parser)
@@ -214,6 +218,7 @@ def _draw_parts(
     # Films in one folder are told apart by these words.
     preset = [f"--preset {options.preset}"] if options.preset else []
     words = [*options.views, *preset, *(f"{key}={value}" for key, value in changes.items())]
+
     try:
         parting = draw(
             film,
@@ -232,10 +237,12 @@ def _draw_parts(
         )
         notify(options, [said(line, _language(options))])
         return 130
+
     if parting.failed:
         lines = [said(line, _language(options)) for line in parting.told()]
         print(*(f"landscape: {line}" for line in lines), sep="\n", file=sys.stderr)
         return 1
+
     if options.out is None:
         return _told(options.parts, options)
     return _joined(parting.parts, options)

@@ -33,6 +33,7 @@ def target(options: argparse.Namespace) -> Look:
     settle_language(options)
     if not options.target.endswith(".py"):
         return _view(options, given_changes(options, find_view(options.target)[0]))
+
     _refuse(
         f"it is for views; {short(options.target)} is a program",
         {
@@ -43,12 +44,14 @@ def target(options: argparse.Namespace) -> Look:
             "--wireframe": options.wireframe,
         },
     )
+
     if options.size is not None:
         raise InputError(
             "--size: it is for views; the window of the program {target} has the size "
             "that the program gives it",
             target=short(options.target),
         )
+
     return program_frame(options)
 
 
@@ -63,6 +66,7 @@ def _view(options: argparse.Namespace, changes: dict[str, Any]) -> ViewFrame:
             "--": options.arguments,
         },
     )
+
     return ViewFrame(
         options.target,
         size=options.size,

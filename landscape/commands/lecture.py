@@ -39,6 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--from", dest="begin", default="", metavar="NAME", help=_("begin at this step, or number")
     )
     parser.add_argument("--list", action="store_true", help=_("only print the steps"))
+
     parser.add_argument(
         "--size",
         type=option_values.size,
@@ -51,6 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help=_("which screen, if there are several; default: 1, the primary one"),
     )
+
     parser.add_argument(
         "--out",
         type=Path,
@@ -78,6 +80,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             "language of --lang; default: the current folder"
         ),
     )
+
     parser.add_argument(
         "-q", "--quiet", action="store_true", help=_("print no progress while a file is written")
     )
@@ -90,11 +93,13 @@ def run(options: argparse.Namespace) -> int:
     if options.copy is not None:
         print("\n".join(map(str, copy(_file(options.file or COURSE), options.copy))))
         return 0
+
     begin = _begin(lecture, options.begin)
     if options.out:
         write(lecture, options.out, options.paper, options.quiet)
         print("\n".join(map(str, options.out)))
         return 0
+
     if options.paper is not None:
         raise InputError("--paper: is for a PDF; expected --out FILE.pdf as well")
     if options.list:
@@ -104,6 +109,7 @@ def run(options: argparse.Namespace) -> int:
         for number, title, name in texts.listed(lecture)[begin:]:
             print(f"{number}  {name:18} {title}")
         return 0
+
     if sys.platform == "linux":
         kind, reason = display.choose(os.environ)
         if not kind:
@@ -111,6 +117,7 @@ def run(options: argparse.Namespace) -> int:
                 "there is no screen to open a window on ({reason}): use --list, or xvfb-run",
                 reason=reason,
             )
+
     show(lecture, begin, options.size, options.screen or 1)
     return 0
 

@@ -66,14 +66,17 @@ def run(options: argparse.Namespace) -> int:
     if options.out.suffix.lower() != ".wav":
         raise InputError("--out {out}: expected a name that ends in .wav", out=options.out)
     check_writable(options.out, "--out ")
+
     kind, view = find_view(options.view or scene().start)
     settings = kind.values(
         options.preset or kind.preset_of(view), view.settings, given_changes(options, kind)
     )
+
     terrain = kind.terrain(settings, Assets(options.assets))
     eye = settings.walk.eye
     pose = raised(placed(options.pose or view.pose, terrain, eye), terrain, eye)
     assert pose.y is not None
+
     kt = view.kt if options.kt is None else options.kt
     volume = 0.0 if settings.sound.muted else settings.sound.volume
     score = standing(
@@ -83,6 +86,7 @@ def run(options: argparse.Namespace) -> int:
         settings.clock.kt_per_second,
         volume,
     )
+
     samples = mix(score, 0, round(options.seconds * RATE))
     write_wave(options.out, samples)
     notify(options, [f"{decibels(rms(samples)):.1f} dBFS, as the root of the mean square"])

@@ -49,6 +49,7 @@ class ViewFrame:
         """
         edits = Edits(read(self.edits, None)) if self.edits else None
         find_view(self.name)
+
         with (
             Offscreen(
                 self.size or SIZE,

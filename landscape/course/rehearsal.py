@@ -173,6 +173,7 @@ class Rehearsal:
         work, solution = report.work, report.solution
         if work is None or solution is None:
             return None
+
         for test in (each.test for each in report.results if each.otherwise):
             if test.hidden:  # of another run
                 continue

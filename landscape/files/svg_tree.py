@@ -64,6 +64,7 @@ def read_tree(path: Path) -> Element:
     data = read_bounded(path, MOST_BYTES)
     if data[:2] == b"\x1f\x8b":
         raise InputError("{path}: compressed; expected a plain SVG file", path=path)
+
     builder = _Builder(str(path))
     # Names come as "namespace name".
     parser = expat.ParserCreate(None, " ")
@@ -71,12 +72,14 @@ def read_tree(path: Path) -> Element:
     parser.EndElementHandler = builder.end
     parser.StartDoctypeDeclHandler = builder.doctype
     parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
+
     try:
         parser.Parse(data, True)
     except InputError:
         raise
     except (expat.ExpatError, LookupError, ValueError) as error:  # the last two: its encoding
         raise InputError("{path}: expected an SVG file ({error})", path=path, error=error) from None
+
     if builder.root is None:
         raise InputError(
             "{path}: expected an SVG file, with <svg> as its outermost element", path=path

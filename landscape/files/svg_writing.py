@@ -48,6 +48,7 @@ def environment_text(
     buffer = io.BytesIO()
     Image.fromarray(image).save(buffer, "PNG", optimize=True)
     link = "\n".join(textwrap.wrap(base64.b64encode(buffer.getvalue()).decode(), 120))
+
     data = " ".join(_path_data(curves) for curves in subpaths)
     circles = "\n".join(
         f'    <circle cx="{_number(x)}" cy="{_number(y)}" r="{_number(RADIUS * scale)}" />'
@@ -58,6 +59,7 @@ def environment_text(
         for k, line in enumerate(html.escape(line, quote=False) for line in note)
     )
     height = _number(side + (len(note) + 0.5) * LINE * scale)
+
     return f"""<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"
   xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"

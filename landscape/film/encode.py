@@ -288,6 +288,7 @@ class _JoinedVideo:
             opened = self._av.open(io.BytesIO(part))
         except self._av.error.FFmpegError:
             raise _damaged(name, frames) from None
+
         with opened, self._named():
             stream = opened.streams.video[0]
             if self._stream is None:
@@ -297,6 +298,7 @@ class _JoinedVideo:
                     self._sound.begin(self._container)
             if stream.codec_context.extradata != self._settings:
                 raise InputError("{name}: encoded by another program than the rest", name=name)
+
             count = 0
             for packet in opened.demux(stream):
                 if packet.size:
@@ -305,6 +307,7 @@ class _JoinedVideo:
                     self._container.mux(packet)
             if count != frames:
                 raise _damaged(name, frames)
+
             self._frames += count
             if self._sound is not None:
                 self._sound.mux(self._container, self._frames / self._format.fps)

@@ -156,6 +156,7 @@ class Parts:
                 folder=folder,
                 reason=reason(error),
             ) from None
+
         parts = cls(folder, plan)
         for other in plans(folder):
             if other.film == plan.film and other.maker != plan.maker:
@@ -168,6 +169,7 @@ class Parts:
                         holder=str(next(iter(busy.values()))),
                         what=expected.differences(mine),
                     )
+
         path = folder / f"film-{plan.hash}.json"
         if not path.is_file():
             data = {"version": VERSION, **asdict(plan)}
@@ -268,6 +270,7 @@ def read_plan(path: Path) -> Plan:
             data = json.loads(file.read(MOST_BYTES))
         if data.pop("version") != VERSION:
             raise ValueError
+
         known: dict[str, Callable[[Any], Any]] = {
             "frames": _count,
             "length": _count,
@@ -286,6 +289,7 @@ def read_plan(path: Path) -> Plan:
         ) from None
     except (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, RecursionError):
         plan = None
+
     if plan is None or path.name != f"film-{plan.hash}.json":
         raise InputError("{path}: expected a film's plan, as --parts writes it", path=path)
     return plan

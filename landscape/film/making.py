@@ -30,6 +30,7 @@ def write(
     """
     file: FilmFile | None = None
     earlier = out.is_file()
+
     try:
         with (
             suppress(KeyboardInterrupt),
@@ -46,6 +47,7 @@ def write(
                 _draw(film, file, workers, jobs, progress)
             else:
                 _draw_parts(film, format, file, workers, jobs, progress)
+
         if file is None or not file.frames or (earlier and file.frames < film.frames):
             raise KeyboardInterrupt
         with interrupts_held():

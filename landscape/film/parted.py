@@ -247,6 +247,7 @@ def status(parts: Parts) -> list[Message]:
         ),
         Message("{there} of {count} parts", there=plan.parts - len(missing), count=plan.parts),
     ]
+
     for number, holder in sorted(parts.at_work().items()):
         frames = plan.frames_of(number)
         lines.append(
@@ -258,6 +259,7 @@ def status(parts: Parts) -> list[Message]:
                 minutes=holder.held / 60,
             )
         )
+
     left = parts.seconds_left()
     if missing and left is not None:
         lines.append(Message("about {minutes:.0f} min more", minutes=max(left / 60, 1.0)))

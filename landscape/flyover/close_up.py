@@ -112,18 +112,21 @@ def between(picture: Pyramid, x: np.ndarray, y: np.ndarray, own: np.ndarray) -> 
     blended: it is that of ``own``, the nearest texel.
     """
     mask, bits = (1 << picture.bits) - 1, picture.bits
+
     u, v = x - np.float32(0.5), y - np.float32(0.5)
     left, top = np.floor(u), np.floor(v)
     u -= left
     v -= top
     u *= 256
     v *= 256
+
     column, row = left.astype(np.int32), top.astype(np.int32)
     right, below = column + 1, row + 1
     for each in (column, row, right, below):
         each &= mask
     row <<= bits
     below <<= bits
+
     take = picture.texels.take
     corners = (
         take(row + column, mode="clip"),
@@ -131,6 +134,7 @@ def between(picture: Pyramid, x: np.ndarray, y: np.ndarray, own: np.ndarray) -> 
         take(below + column, mode="clip"),
         take(below + right, mode="clip"),
     )
+
     wet = corners[0] | corners[1]
     wet |= corners[2]
     wet |= corners[3]

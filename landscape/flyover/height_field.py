@@ -189,6 +189,7 @@ def check_image(image: np.ndarray, name: str, any_size: bool = False) -> None:
             name=name,
             shape=short(found.shape),
         )
+
     rows, columns = found.shape
     sides = (rows, columns)
     fits = all(2 <= side <= MOST_SIDE for side in sides)

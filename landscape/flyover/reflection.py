@@ -67,6 +67,7 @@ def reflection(
     """
     land = heights[:, ::ACROSS] + np.float32(above)
     wet = land <= LOW
+
     begins = wet.copy()
     begins[1:] &= ~wet[:-1]
     number = begins.astype(np.int8)
@@ -75,6 +76,7 @@ def reflection(
     count = min(int(number[-1].max(initial=0)), WATERS)
     if not count:
         return None
+
     np.minimum(number, WATERS, out=number)
     steepest, step = min(steepest, STEEPEST), DOWN * pixel
     rows = int(steepest / step) + 1
@@ -83,10 +85,12 @@ def reflection(
     land *= np.float32(-1 / step)
     land += np.float32(steepest / step + 0.5)
     np.putmask(land, wet, rows)
+
     filled = np.empty((count, rows, land.shape[1]), np.int16)
     for water in range(count):
         np.putmask(land, number == water, rows)
         filled[water] = march.filled_by(land.copy(), rows)
+
     begin = np.maximum(number, 1).astype(np.int32)
     begin -= 1
     begin *= rows * land.shape[1]

@@ -343,15 +343,18 @@ class Colouring:
         water = np.flatnonzero(colour >= WATER)
         if not len(water):
             return
+
         group = beside.take(water)
         first = np.flatnonzero(np.append(True, group[1:] != group[:-1]))
         some, count = water.take(first), np.diff(first, append=len(water))
         x, y = x.take(some), y.take(some)
         column, step, slope, lateral, away = (each.take(some) for each in rays)
+
         up = np.maximum(-slope, 0)
         steep = up * self.flatness.take(column)
         steep *= FRESNEL / 2
         share = self.fresnel.take(steep.astype(np.int32), mode="clip")
+
         ripple = grain(self.look.grain, x, y, 1.5).astype(np.float32)
         ripple += grain(self.look.grain, x, y, 7.0)
         ripple -= 255
@@ -360,9 +363,11 @@ class Colouring:
         ripple /= away
         up += ripple
         np.maximum(up, np.float32(0.002), out=up)
+
         mirrored = self.sky(column, up)
         self.land(mirrored, up, column, step, lateral)
         mirrored, share = (np.repeat(each, count) for each in (mirrored, share))
+
         own = colour.take(water)
         share *= own >> np.uint32(24) & COVER
         share >>= np.uint32(7)

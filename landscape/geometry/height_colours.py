@@ -17,6 +17,7 @@ def colour_by_height(field: HeightField, sun: np.ndarray, size: int = 512) -> np
     x, z = np.meshgrid(at, at)
     h = field.terrain_height(x, z)
     above = np.clip((h - field.water_level) / max(float(h.max()) - field.water_level, 1e-6), 0, 1)
+
     stops = [0.0, 0.03, 0.10, 0.40, 0.65, 1.0]
     colours = np.array(
         [
@@ -29,6 +30,7 @@ def colour_by_height(field: HeightField, sun: np.ndarray, size: int = 512) -> np
         ]
     )
     rgb = np.stack([np.interp(above, stops, colours[:, c]) for c in range(3)], axis=2)
+
     step = field.size / size
     gz, gx = np.gradient(h, step)
     light = (sun[1] - gx * sun[0] - gz * sun[2]) / np.sqrt(1 + gx**2 + gz**2)

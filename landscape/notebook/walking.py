@@ -71,6 +71,7 @@ def take(walk: Walk, event: Event) -> None:
     scene of blocks by itself.
     """
     kind, hands = event["type"], walk.hands
+
     if kind in ("key_down", "key_up"):
         if (code := key_code(str(event["key"]))) is not None:
             action = glfw.PRESS if kind == "key_down" else glfw.RELEASE

@@ -143,6 +143,7 @@ class Soundscape:
         if self.windy > 0.0 and self.room is None:
             parts.append(self._wind(ear))
         parts += [self._fire(ear, k) for k in range(len(self.fires))]
+
         if self.drops is not None:
             x, y, z = self.drops
             east, up, south = x - ear.x, y - ear.y, z - ear.z
@@ -151,11 +152,13 @@ class Soundscape:
                 math.degrees(math.atan2(east, -south)) - ear.yaw, spread=min(away / 0.2, 1.0)
             )
             parts.append(DROPS_LEVEL / (1.0 + away / 0.6) * sides[None])
+
         if self.room is not None:
             air = np.zeros((2, 2, 2))
             air[[0, 1], 0, [0, 1]] = AIR_LEVEL
             air[[0, 1], 1, [0, 1]] = ECHO_LEVEL * min(len(self.fires), 8) / 8
             parts.append(air.reshape(4, 2))
+
         if not parts:
             return np.zeros((0, 2), np.float32)
         table = np.concatenate(parts)

@@ -93,6 +93,7 @@ def image_heights(values: Voxel, assets: Assets) -> Heights:
     columns = values.regions * values.region_size
     tall = values.levels + ROOM
     most = min(math.isqrt(MOST_BLOCKS // tall), MOST_COLUMNS)
+
     if columns > most:
         raise InputError(
             "settings voxel.regions={regions} and voxel.region_size={region_size}: "
@@ -104,6 +105,7 @@ def image_heights(values: Voxel, assets: Assets) -> Heights:
             levels=values.levels,
             columns=columns,
         )
+
     if values.region_size**2 * tall > MOST_AT_ONCE:
         raise InputError(
             "setting voxel.region_size={region_size}: expected at most {most} for "
@@ -112,6 +114,7 @@ def image_heights(values: Voxel, assets: Assets) -> Heights:
             most=math.isqrt(MOST_AT_ONCE // tall),
             levels=values.levels,
         )
+
     image = read_heights(assets.path(values.height_image, "voxel.height_image"))
     return heights(image, columns, values.levels)
 

@@ -69,6 +69,7 @@ def _ground(
     block, sea = settings.voxel.block, settings.voxel.sea
     last = len(heights.field) - 1
     i, k = (int(min(max(each / block, 0), last)) for each in (x, z))
+
     if blocks is not None:
         top = int(min(max((y - FEET) / block, 0), blocks.shape[2] - 1))
         solid = np.flatnonzero(blocks[i, k, : top + 1])
@@ -81,6 +82,7 @@ def _ground(
             return WATER
         tile = BLOCKS[blocks[i, k, stands]].top
         return SOFT.get(tile) or LOOSE.get(tile) or STONE
+
     above = (heights.field[i, k] - sea) / heights.tall
     if above <= 0.0:
         return WATER

@@ -290,6 +290,7 @@ class Walk:
         before = self.wishes.preferences
         if not self.wishes.open:
             return {}
+
         for line in self._clicked(self._wishes_page()):
             self._point(self.wishes, *line)
         pressed, self.hands.choices = self.hands.choices, []
@@ -297,12 +298,14 @@ class Walk:
             self.wishes.key(key, system_name, self.place.kind.letters)
         if not self.wishes.open:
             self._keep()
+
         after = self.wishes.preferences
         if after == before:
             return {}
         self._heed(after)
         if after.language != before.language:
             self._language = after.language or choose(os.environ)
+
         kind = type(self.place.settings)
         former, wanted = before.changes(kind), after.changes(kind)
         usual = {

@@ -78,14 +78,17 @@ def layout(page: Page, size: tuple[int, int], dpi: float = 1.0) -> Layout:
         width = int(names + values + 4 * pixels)
         if width <= WIDEST * size[0]:
             break
+
     edge, line_height = pixels, round(SPACING * pixels)
     below = tuple(
         part
         for text in page.below
         for part in wrapped(writable(text, face), face, width - 2 * edge)
     )
+
     # In a very small window the rows come first.
     below = below[: max(int(0.94 * size[1] - 3 * edge) // line_height - 5, 0)]
+
     around = 3 * edge + (1 + len(below)) * line_height
     height = max(int(0.94 * size[1]), around + line_height)
     first, end = visible(page.lines, (height - around) // line_height)

@@ -143,6 +143,7 @@ def steered(
     left_trigger, right_trigger = (k in state.buttons for k in (LEFT_TRIGGER, RIGHT_TRIGGER))
     jumps = glfw.GAMEPAD_BUTTON_A in state.buttons
     sinks = glfw.GAMEPAD_BUTTON_RIGHT_THUMB in state.buttons
+
     return replace(
         intent,
         forward=max(-1.0, min(intent.forward - back, 1.0)),

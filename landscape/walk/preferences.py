@@ -151,6 +151,7 @@ def _checked(name: str, value: object) -> object:
         meaning=COMMENTS[name],
         value=short(repr(value)),
     )
+
     default = next(each.default for each in fields(Preferences) if each.name == name)
     if isinstance(default, bool) or isinstance(value, bool):
         if not isinstance(value, bool) or not isinstance(default, bool):
@@ -160,6 +161,7 @@ def _checked(name: str, value: object) -> object:
         if value not in LANGUAGES:
             raise expected
         return value
+
     low, high = LIMITS[name]
     if not isinstance(value, int | float) or not (low <= value <= high or value == default):
         raise expected

@@ -81,6 +81,7 @@ class Speaker:
             import miniaudio
         except ImportError as error:
             raise OSError("miniaudio is not installed") from error
+
         self.ring = Ring()
         self._device: Any = None
         backends = [miniaudio.Backend.NULL] if null else None

@@ -343,15 +343,18 @@ class Title:
         size = self._context.pixels()
         if 0 in size:
             return
+
         entry = self.entries[self.index]
         below = self.note or self.level.below
         page = self._page() if self.wishes.open else None
         rows = tuple(self._help_rows()) if self._help else ()
         larger = self.wishes.preferences.text_size
         shown = size, self.level.heading, tuple(self.entries), self.index, below, page, rows, larger
+
         if shown == self._shown:
             return
         self._shown = shown
+
         self._dpi = enlarged(size, max(glfw.get_window_content_scale(self._context.window)), larger)
         lines = [Row(each.text, each.beside) for each in self.entries]
         heading, dpi = self.level.heading, self._dpi
@@ -361,6 +364,7 @@ class Title:
         self._plate = Plate(self._drawn.image)
         show_plate(self._plate, size)
         self._panel.dpi = dpi
+
         gl.glViewport(0, 0, *size)
         if page is not None:
             self._panel.draw(
@@ -375,13 +379,16 @@ class Title:
         """Let the user choose; return what, or None if he leaves. The window stays open."""
         window = self._context.window
         self.choice, self.left, self._shown = None, False, ()
+
         if not self._above:
             # Where a walk has ended since, it can be gone on with: that comes first.
             self.level = self._main()
+
         glfw.set_window_title(window, "landscape")
         glfw.set_key_callback(window, lambda _, key, __, action, ___: self.key(key, action))
         glfw.set_cursor_pos_callback(window, lambda _, x, y: self.point(x, y))
         glfw.set_mouse_button_callback(window, self._clicked)
+
         try:
             while self.choice is None and not self.left:
                 glfw.poll_events()

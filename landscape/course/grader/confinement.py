@@ -70,16 +70,19 @@ def _readable(cwd: str, beside: frozenset[str], *private: str) -> tuple[list[str
     python = {os.path.join(prefix, part) for prefix in prefixes for part in PARTS}
     cached = cache_folder()
     ours = str(PACKAGE), *_courses(), *_checkouts(python)
+
     named = (
         *(os.path.expanduser("~"), cwd, *private),
         *(_around(each, python) for each in beside),
         *([str(cached)] if cached is not None else []),
     )
+
     # Where modules are looked for, names must be seen.
     entries = [os.path.realpath(each) for each in sys.path if os.path.isdir(each)]
     needed = {os.path.realpath(each) for each in (*containment.SYSTEM, *python)}
     needed.update(each for each in entries if any(_inside(each, part) for part in needed))
     hidden = set(map(os.path.realpath, named)) - needed | set(map(os.path.realpath, ours))
+
     readable: set[str] = set()
     listed: set[str] = set()
     for root in (*containment.SYSTEM, *python, *_paths(python, hidden), *_libraries()):
@@ -88,6 +91,7 @@ def _readable(cwd: str, beside: frozenset[str], *private: str) -> tuple[list[str
                 readable.add(path)
             elif any(_inside(path, entry) for entry in entries):
                 listed.add(path)
+
     return sorted(readable), sorted(listed)
 
 

@@ -63,6 +63,7 @@ def read_grading(path: Path, hidden: bool = False) -> Grading:
 def names_of(path: Path) -> Mapping[str, Any]:
     """Run a file of an exercise and return its names; InputError says in which line it fails."""
     read_bounded(path, MOST_BYTES)
+
     try:
         return run_path(str(path))
     except SyntaxError as error:

@@ -148,6 +148,7 @@ def _plain(value: Any, blobs: stream.Blobs) -> Any:
         if not 0 <= offset < OFFSETS:
             raise Unrecorded("an address")
         return {"offset": offset}
+
     if hasattr(value, "_length_"):
         value = np.ctypeslib.as_array(value)
     if isinstance(value, np.ndarray):
@@ -156,10 +157,12 @@ def _plain(value: Any, blobs: stream.Blobs) -> Any:
         data = np.ascontiguousarray(value)
         shape = list(value.shape)
         return {"array": blobs.add(data.tobytes()), "type": value.dtype.str, "shape": shape}
+
     if isinstance(value, bytes):
         return {"bytes": blobs.add(value)}
     if isinstance(value, list | tuple):
         return [_plain(each, blobs) for each in value]
+
     if value is None or isinstance(value, bool):
         return value
     if isinstance(value, int | np.integer):

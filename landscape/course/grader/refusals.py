@@ -77,6 +77,7 @@ class Refusals:
                 if self._armed:
                     self._replace_untold()
             return
+
         if event == "open":
             path, _, flags = args
             if isinstance(flags, int) and flags & WRITING and not isinstance(path, int):

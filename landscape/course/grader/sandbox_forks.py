@@ -61,11 +61,13 @@ def serve(contain: str) -> None:
     discard = os.open(os.devnull, os.O_RDWR)
     for number in range(2):
         os.dup2(discard, number)
+
     with contextlib.ExitStack() as stack:
         ours = prepare(stack, contain)
         # The driver of a graphics card may need what a contained program has not.
         if ours.contained == LANDLOCK and ours.backend != "osmesa" and not _opens(ours):
             ours.give_up(NOT_OPENED)
+
         line = select.poll()
         line.register(asked, select.POLLIN)
         while all(event & select.POLLIN for _, event in line.poll()):

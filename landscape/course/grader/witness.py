@@ -170,6 +170,7 @@ class Witness(ExitStack):
         self._wanted = set(frames)
         self._records = calls
         self._unnoted = ExitStack()
+
         self._frames: dict[int, dict[str, Any]] = {}
         self._states: list[dict[str, Any]] = []
         self._of_call: dict[int, int] = {}  # the index of its state, by the call's identity
@@ -181,6 +182,7 @@ class Witness(ExitStack):
         self._size = 0, 0
         self._again = recorded.Writer() if again and calls else None
         self._made: list[int] = []  # the blobs of all frames, to draw them again
+
         self.window: Window | None = None
         self.ended = 0  # frames that are complete
         self.unclosed: dict[str, Any] = {}  # a call that draws between glBegin and glEnd
@@ -304,9 +306,11 @@ class Witness(ExitStack):
             raise MemoryError(MANY_CALLS)
         if not self._looking:
             return
+
         group, draws = _kind(call.name)
         if group == "vertex":
             return
+
         self._ways[id(call)] = _way(call, self._program)
         lists = call.name.startswith("glCallList")
         if draws or lists:
@@ -318,6 +322,7 @@ class Witness(ExitStack):
                     raise
             self._changed = self._changed or lists
             return
+
         self._moved = self._moved or group == "matrix"
         self._changed = self._changed or group not in UNREAD
 

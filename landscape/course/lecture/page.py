@@ -110,6 +110,7 @@ setTimeout(() => document.querySelector(".help").remove(), 8000);
 def as_html(title: str, slides: Sequence[Slide], language: str) -> bytes:
     """Return the page; without a script it shows all steps, one below the other."""
     _ = translator(language, "course")
+
     head = [
         "<!DOCTYPE html>",
         f'<html lang="{language}">',
@@ -129,6 +130,7 @@ def as_html(title: str, slides: Sequence[Slide], language: str) -> bytes:
         "</html>",
         "",
     ]
+
     return "\n".join([*head, *body, *foot]).encode("utf-8", "replace")
 
 
@@ -137,6 +139,7 @@ def _section(slide: Slide, count: int, language: str) -> Iterator[str]:
     place = _(TEXTS["page.place"], "page.place").format(number=slide.number, count=count)
     yield f'<section id="s{slide.number}">'
     yield f'<header><h2>{escape(slide.title)}</h2><span class="place">{place}</span></header>'
+
     if slide.picture is None:
         yield '<div class="text">'
         yield from _paragraphs(slide.lines)
@@ -153,6 +156,7 @@ def _section(slide: Slide, count: int, language: str) -> Iterator[str]:
         if slide.code:
             yield from _code(slide)
         yield "</div>"
+
     if slide.notes:
         yield f"<aside><h3>{escape(_(TEXTS['page.notes'], 'page.notes'))}</h3>"
         yield from (f"<p>{escape(note)}</p>" for note in slide.notes)

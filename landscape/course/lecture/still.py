@@ -77,9 +77,11 @@ def _frame(step: Step) -> np.ndarray:
         found = lesson(step.name)
         keys = keys or found.pressed
         frame = found.frame if frame is None else frame
+
     frame = LATER if frame is None else frame
     frames = [max(frame, int(bool(keys)))]
     assert step.file is not None
+
     if step.kind == LESSON:
         return pictures(step.file, frames, presses(keys))[0]
     try:

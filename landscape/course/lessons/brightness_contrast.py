@@ -124,6 +124,7 @@ def on_key(window, key, scancode, action, mods):
     global contrast, doubling, brightness_first, blended, whole
     if action != glfw.PRESS:
         return
+
     if key == glfw.KEY_UP:
         contrast += 0.5
     elif key == glfw.KEY_DOWN:

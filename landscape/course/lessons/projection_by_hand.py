@@ -165,6 +165,7 @@ def on_key(window, key, scancode, action, mods):
     global divided, square, cut
     if action == glfw.RELEASE:
         return
+
     if key == glfw.KEY_R:
         theta[0] += 5
     elif key == glfw.KEY_UP:

@@ -227,6 +227,7 @@ def _values(report: Report, rules: Rules) -> dict[str, Any]:
         {name: test[name] for name in ("name", "passed", "hint", "points", "hidden")}
         for test in verdicts(report, translate)
     ]
+
     told = (each for each in report.results if each.hint is not None and not each.test.hidden)
     first = next((each.hint for each in told), None)
     right = sum(test["points"] for test in tests if test["passed"] is True)
@@ -234,6 +235,7 @@ def _values(report: Report, rules: Rules) -> dict[str, Any]:
     whole = rules.points if rules.points is not None else all_points
     for test in tests:
         test["points"] = round(whole * test["points"] / all_points, 4)
+
     values: dict[str, Any] = {
         "exercise": report.exercise.name,
         "contained": report.contained,
@@ -244,6 +246,7 @@ def _values(report: Report, rules: Rules) -> dict[str, Any]:
         "hint": first.written(translate) if first is not None else "",
         "line": _line(first),
     }
+
     if first is None and not report.passed and report.error is None:
         values["hint"] = translate(UNSEEN)
     if report.error is not None:

@@ -53,6 +53,7 @@ def as_page(
     body = "\n".join(_line_of(each, _, hidden) for each in graded)
     title = html.escape(_(TITLE))
     counts = html.escape(_(COUNTS).format(passed=passed, all=len(graded)))
+
     return f"""<!DOCTYPE html>
 <html lang="{language}">
 <meta charset="utf-8">
@@ -74,16 +75,19 @@ def as_page(
 def _line_of(graded: Graded, _: Translator, hidden: bool) -> str:
     row = graded.row
     hint = html.escape(printable(told(row, _)))
+
     for test in row.tests if hidden else ():
         if test["hidden"] and test["passed"] is False:
             text = _(HIDDEN).format(test=test["name"], hint=test["hint"])
             hint += f"<p>{html.escape(printable(text))}</p>"
+
     if graded.picture:
         text = html.escape(_(PICTURE).format(student=printable(row.student)), quote=True)
         source = base64.b64encode(graded.picture).decode()
         labels = "".join(f"<span>{html.escape(_(each))}</span>" for each in LABELS)
         image = f'<img alt="{text}" src="data:image/png;base64,{source}">'
         hint += f"<figure>{image}<figcaption>{labels}</figcaption></figure>"
+
     student = html.escape(printable(row.student))
     if row.late:
         student += f" ({html.escape(_(LATE))})"

@@ -145,12 +145,15 @@ def _of_zip(data: bytes, name: str) -> Iterator[File]:
         archive = zipfile.ZipFile(io.BytesIO(data))
     except UNREADABLE:
         raise InputError("{name}: is not a zip that can be read", name=name) from None
+
     entries = archive.infolist()
     if len(entries) > MOST_FILES:
         raise InputError("{name}: expected at most {most} files", name=name, most=MOST_FILES)
+
     for entry in sorted(entries, key=lambda entry: entry.filename):
         if not entry.filename:
             continue
+
         inside = PurePosixPath(_named(entry).replace("\\", "/"))
         if inside.is_absolute() or ".." in inside.parts:
             raise InputError(
@@ -281,16 +284,19 @@ def _handed_in(
             continue
         if kind == ".zip" and outer:
             continue
+
         of_file = replace(student, file=f"{outer}{name}", changed=changed)
         if load is None:
             yield replace(of_file, error=error)
             continue
+
         try:
             data = own.take(load())
             inside = list(_of_zip(data, str(name))) if kind == ".zip" else []
         except InputError as trouble:
             yield replace(of_file, error=trouble)
             continue
+
         if kind == ".zip":
             yield from _handed_in(of_file, inside, own, f"{name}/")
         else:

@@ -106,6 +106,7 @@ def as_gradescope(row: Row) -> bytes:
         }
         for test in row.tests
     ]
+
     result: dict[str, Any] = {
         "score": row.points,
         "execution_time": row.seconds,

@@ -179,15 +179,18 @@ def statue() -> Mesh:
         centred(points), triangles, target_count=STATUE_FACES, agg=5
     )
     triangles = np.ascontiguousarray(triangles, np.uint32)
+
     unit = Mesh(points, vertex_normals(points, triangles), triangles)
     vertices, normals, low = standing(unit)
     east, south = plan.STATUE
     lift = plan.PLINTH[1] - plan.STATUE_SCALE * low
     places = plan.STATUE_SCALE * vertices + (east, lift, south)
+
     left, top, side = BALL
     # 0.97: so that filtering does not leave the ball.
     across = 0.5 + 0.485 * normals[:, :2] * (1.0, -1.0)
     at = np.array([left, top]) + side * across
+
     return Mesh(
         np.ascontiguousarray(places, np.float32),
         np.ascontiguousarray(normals, np.float32),
@@ -245,12 +248,15 @@ def flame(x: float, y: float, z: float) -> Mesh:
     width = half * np.array([0.35, 0.8, 1.0, 0.75, 0.45, 0.15])
     right = np.stack([width, tall * height], axis=-1)
     outline = np.concatenate([right, [(0.0, tall)], right[::-1] * (-1, 1)])
+
     middle = [(0.0, 0.28 * tall)]
     flat = np.concatenate([middle, outline])
     corners = np.column_stack([x + flat[:, 0], y + flat[:, 1], np.full(len(flat), z)])
+
     share = flat[:, 1:2] / tall
     colours = EDGE + (TIP - EDGE) * share**2
     colours[0] = CORE
+
     count = len(outline)
     fan = [(0, k + 1, (k + 1) % count + 1) for k in range(count)]
     return Mesh(

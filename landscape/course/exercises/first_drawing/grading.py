@@ -90,6 +90,7 @@ def elsewhere(work):
             ),
         ),
     )
+
     for corners, text in changes:
         if of(work, corners):
             return hint(text)

@@ -109,9 +109,11 @@ def density(work, solution):
     found = work.last.draws[0].state["GL_FOG_DENSITY"]
     if abs(found / DENSITY - 1) < CLOSE:
         return None
+
     at = line(work, "glFog", "GL_FOG_DENSITY")
     if not at:
         return hint(_("GL_FOG_DENSITY is not set. Without that it is 1, and all is fog at once."))
+
     wrong = {
         math.log(2) / HALF: _(
             "The density of line {line} solves exp(-density * HALF) = 0.5. That is GL_EXP: in "
@@ -134,6 +136,7 @@ def density(work, solution):
         ),
         1 / HALF: _("With the density of line {line}, 1 / e remains at HALF, and not 1 / 2."),
     }
+
     for value, text in wrong.items():
         if abs(found / value - 1) < CLOSE / 4:
             return hint(text, line=at)

@@ -267,6 +267,7 @@ def rim(work, solution):
         return None
     if told := known(RIMS, placed(work, "GL_LINE_LOOP"), FRAMES, SAME):
         return told
+
     for number in FRAMES:
         found = placed(work, "GL_LINE_LOOP")(number)
         if len(found) == 1 and not SAME(found[0, :2, 2], HUB):
@@ -277,6 +278,7 @@ def rim(work, solution):
                 x=x,
                 y=y,
             )
+
         loops = [draw for draw in work.frame(number).draws if draw.mode == "GL_LINE_LOOP"]
         away = [np.linalg.norm(draw.eye[:, :2] - HUB, axis=1) for draw in loops[:1]]
         if away and np.ptp(away[0]) > 0.02:

@@ -234,11 +234,13 @@ def place(work, solution):
     told = known(OF_PLACE, view(work), FRAMES, close(0.01))
     if told or known(OF_AXES, view(work), FRAMES, close(0.01)):
         return told
+
     number = next(
         (n for n in FRAMES if not close(0.02)(view(work)(n) @ (*eye_of(n), 1), (0, 0, 0, 1))), None
     )
     if number is None or not work.frame(number).draws:
         return None
+
     x, y, z = (view(work)(number) @ (*eye_of(number), 1))[:3]
     return hint(
         _(

@@ -108,6 +108,7 @@ def enabled(work, solution):
     state = calls(work)[0].state
     if not state:
         return None  # it is not known inside display lists
+
     told = {
         "GL_VERTEX_ARRAY": _(
             "glEnableClientState(GL_VERTEX_ARRAY) is missing: without vertices "
@@ -122,6 +123,7 @@ def enabled(work, solution):
             "gets the last colour."
         ),
     }
+
     for array, text in told.items():
         if not state[array]:
             return hint(text, line=calls(work)[0].line)

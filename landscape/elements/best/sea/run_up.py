@@ -328,10 +328,12 @@ class RunUp:
         """Blend foam and weed where their density and that of lace together are above one half."""
         colors = white(faded)
         colors[:, :3] = light
+
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._debris.bind()
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+
             gl.glActiveTexture(gl.GL_TEXTURE1)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._lace.bind()
@@ -339,6 +341,7 @@ class RunUp:
             combine({"COMBINE_ALPHA": "ADD_SIGNED", "SRC0_ALPHA": "PREVIOUS"})
             combine({"SRC1_ALPHA": "TEXTURE"})
             gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, 4.0)
+
             gl.glMatrixMode(gl.GL_TEXTURE)
             with matrix():
                 gl.glScalef(LACE_REPEAT, LACE_REPEAT, 1.0)

@@ -286,19 +286,23 @@ class SpritesInView:
         turns = crossed.turns[near]
         quads = crossed.still[near]
         positions, sizes = choice.positions[which], choice.sizes[which]
+
         winds = sway(frame.kt, positions, settings.plants.sway)
         if settings.plants.sway_by_size:
             winds *= sizes[:, 1:] / settings.plants.size_max
         quads[:, 4::6, ::2] += winds[:, None]
+
         if settings.plants.rosette:
             alpha = alpha * (1.0 - smoothstep(*GOES, seen.below[which]))
         if settings.plants.fade_edge_on:
             line = positions - frame.eye
             alpha = alpha[:, None] * np.repeat(edge_on(line, turns), 6, axis=1)
+
         depth = seen.depth[which]
         if settings.transparent.split:
             feet = crossed.feet[near]
             depth = order_of(frame, settings, feet.reshape(-1, 3)).reshape(feet.shape[:2])
+
         bases = 6 * np.arange(count, dtype=np.uint32)[:, None, None]
         pattern = (HALVES + bases).reshape(-1, 6)
         colours = tinted(self._all.tints[choice.which[which]], alpha)

@@ -54,6 +54,7 @@ def read_shapes(path: Path) -> list[list[Shape]]:
             count=count,
             apart=APART,
         )
+
     found = []
     for k in range(count):
         levels = []
