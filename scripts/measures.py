@@ -8,8 +8,9 @@
 Sizes are in nodes of the syntax tree, which blank lines, line breaks and comments do not change. A
 program that stands in a string is parsed and counted like any other code.
 
-The lessons and exercises are programs of their own, which repeat each other on purpose: the counts
-of repeats, names and processes leave them out.
+The lessons, the exercises, and the scaffold of a lecturer's exercise are programs of their own,
+which repeat each other on purpose: the counts of repeats, names and processes leave them out. What
+stands twice in exercises and the scaffold is counted by itself.
 """
 
 import argparse
@@ -23,7 +24,7 @@ from functools import cache
 from pathlib import Path
 
 PACKAGES = ("framelens", "landscape")
-PROGRAMS = ("lessons", "exercises")
+PROGRAMS = ("lessons", "exercises", "scaffold")
 LONG_FUNCTION = 20  # lines
 HEAVY_FUNCTION = 300  # nodes
 WIDE_ASSIGNMENT = 3  # targets
@@ -61,7 +62,7 @@ def files(root: Path, folders: Iterable[str]) -> list[Path]:
 
 
 def without_programs(paths: Iterable[Path]) -> list[Path]:
-    """Return the files that are not lessons or exercises."""
+    """Return the files that are not lessons, exercises or the scaffold."""
     return [path for path in paths if not {*PROGRAMS} & {*path.parts}]
 
 
@@ -400,7 +401,9 @@ def counted(root: Path) -> list[tuple[str, str, list[str]]]:
     starts = process_starts(root, house)
     starting_files = {where.partition(":")[0] for found in starts.values() for where in found}
     runs = repeats(root, house)
-    in_exercises = repeats(root, [path for path in code if "exercises" in path.parts])
+    in_exercises = repeats(
+        root, [path for path in code if {"exercises", "scaffold"} & {*path.parts}]
+    )
     modules = modules_of_one_name(root, house)
     classes = classes_of_one_name(root, house)
     any_type = uses_of_any(root, code)

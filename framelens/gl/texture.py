@@ -68,6 +68,14 @@ def edge() -> int:
     return int(gl.GL_CLAMP_TO_EDGE if possible("edges of textures") else gl.GL_CLAMP)
 
 
+def filter_within_edges() -> None:
+    """Let the 2D texture that is bound be filtered linearly, without what is beyond its edges."""
+    for name in (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T):
+        gl.glTexParameteri(gl.GL_TEXTURE_2D, name, edge())
+    for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
+        gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_LINEAR)
+
+
 def _format(channels: int) -> int:
     """Return the format of an image of 1, 3 or 4 channels."""
     formats = {1: gl.GL_LUMINANCE, 3: gl.GL_RGB, 4: gl.GL_RGBA}

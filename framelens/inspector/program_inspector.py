@@ -17,6 +17,7 @@ from typing import Any, TextIO
 
 from framelens.base.errors import InputError
 from framelens.base.texts import choose
+from framelens.gl.contexts.glfw import call_for_pointer
 from framelens.gl.seam import (
     Call,
     GluCall,
@@ -295,9 +296,7 @@ class ProgramInspector(ExitStack):
         self._window = window
         self._keys = keys
         glfw.set_key_callback(window, lambda _, key, __, action, mods: self._key(key, action, mods))
-        glfw.set_mouse_button_callback(window, lambda _, *what: self._button(*what))
-        glfw.set_cursor_pos_callback(window, lambda _, x, y: self._motion(x, y))
-        glfw.set_scroll_callback(window, lambda _, x, y: self._scroll(x, y))
+        call_for_pointer(glfw, window, self._button, self._motion, self._scroll)
         self._size = glfw.get_window_size(window)
 
     def events(self, wait: bool = False) -> list[Event]:

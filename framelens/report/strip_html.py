@@ -8,6 +8,7 @@ from html import escape
 from PIL import Image, features
 
 from framelens.report import in_cells
+from framelens.report.in_cells import table
 from framelens.report.strip_page import Cell, Page, fitted, scaled
 from framelens.report.strip_pictures import Legend
 from framelens.report.strip_words import text
@@ -152,21 +153,13 @@ def _step(page: Page, cell: Cell) -> Iterable[str]:
 
 
 def _calls(language: str, summary: str, group: Group) -> Iterable[str]:
-    """Yield the calls of a step, to be unfolded: number, call, line of code."""
+    """Return the lines of a step's calls, to be unfolded: number, call, line of code."""
     steps = list(group.steps)
-    words = (text(language, key) for key in ("number", "code", "source"))
-    yield f"<details><summary>{escape(summary)}</summary>"
-    yield '<div class="calls"><table><thead><tr>'
-    yield "".join(f"<th>{word}</th>" for word in words) + "</tr></thead><tbody>"
-    for step in steps[:CALLS]:
-        call = step.call
-        source = f"{call.source}  {call.site.text}".rstrip()
-        cells = (step.place, as_code(call), source)
-        yield "<tr>" + "".join(f"<td>{escape(each)}</td>" for each in cells) + "</tr>"
-    yield "</tbody></table>"
-    if len(steps) > CALLS:
-        yield f"<p>{escape(text(language, 'rest', n=len(steps) - CALLS))}</p>"
-    yield "</div></details>"
+    rows = [
+        (step.place, as_code(step.call), f"{step.call.source}  {step.call.site.text}".rstrip())
+        for step in steps[:CALLS]
+    ]
+    return table(language, summary, rows, len(steps) - len(rows))
 
 
 def _data(picture: Image.Image, exact: bool, page: bool = True) -> str:

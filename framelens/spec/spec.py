@@ -11,12 +11,12 @@ from functools import cache
 
 from framelens.base.texts import translator
 from framelens.spec.spec_arguments import (
+    deciding,
     enumerant,
     function,
     kind_of,
     legal,
     limits,
-    name_in,
     parameter,
     value_of,
 )
@@ -115,8 +115,7 @@ def explain_argument(name: str, index: int, args: Sequence[object], language: st
         return ""
     found = form[index]
     if found.kind == "by":
-        place = next(k for k, other in enumerate(form) if other.name == "pname")
-        pname = name_in(found.of, args[place]) if place < len(args) else ""
+        pname = deciding(found, form, args)
         if pname:
             return explain_enumerant(pname, language, found.of)
     scopes = (f"{known.base}.", f"{known.group}.", "")

@@ -48,13 +48,17 @@ def parameter(name: str, index: int, args: Sequence[object]) -> Parameter | None
     return found
 
 
+def deciding(found: Parameter, form: Sequence[Parameter], args: Sequence[object]) -> str:
+    """Return the name of the pname that decides what an argument is, "" if the call has none."""
+    place = next(k for k, other in enumerate(form) if other.name == "pname")
+    return name_in(found.of, args[place]) if place < len(args) else ""
+
+
 def _decided(
     known: Function, found: Parameter, form: Sequence[Parameter], args: Sequence[object]
 ) -> Parameter:
     """Return what an argument is whose pname decides."""
-    place = next(k for k, other in enumerate(form) if other.name == "pname")
-    pname = name_in(found.of, args[place]) if place < len(args) else ""
-    decided = by_pname(found.of, pname, known)
+    decided = by_pname(found.of, deciding(found, form, args), known)
     if decided is not None:
         return decided
     return replace(found, kind="vector" if known.vector else "float", of="")

@@ -231,16 +231,9 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
 
 def profile(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
     """Print where the time of a flight goes."""
-    from landscape.flyover.app import bench as flyover_bench
     from landscape.flyover.app import profile as flyover_profile
 
-    count = flyover_bench.FRAMES if options.frames is None else options.frames
-    if not 1 <= count <= MOST_FRAMES:
-        raise InputError(
-            "--frames {count}: expected a number from 1 to {most_frames}",
-            count=count,
-            most_frames=MOST_FRAMES,
-        )
+    count = _frames(options)
     with Progress(count, options.quiet) as progress:
         text = flyover_profile.profile(
             environment, values, options.size or SIZE, count, progress.step
@@ -255,13 +248,7 @@ def bench(environment: Environment, values: Settings, options: argparse.Namespac
 
     if options.json is not None:
         check_writable(options.json, "--json ")
-    count = flyover_bench.FRAMES if options.frames is None else options.frames
-    if not 1 <= count <= MOST_FRAMES:
-        raise InputError(
-            "--frames {count}: expected a number from 1 to {most_frames}",
-            count=count,
-            most_frames=MOST_FRAMES,
-        )
+    count = _frames(options)
     rows, jobs = flyover_bench.rows(values), crew.processes(options.jobs)
     with Progress(len(rows) * count, options.quiet) as progress:
         result = flyover_bench.measure(
@@ -272,3 +259,17 @@ def bench(environment: Environment, values: Settings, options: argparse.Namespac
     if not options.quiet:
         print(flyover_bench.report(result))
     return 0
+
+
+def _frames(options: argparse.Namespace) -> int:
+    """Return how many frames are measured."""
+    from landscape.flyover.app import bench as flyover_bench
+
+    count: int = flyover_bench.FRAMES if options.frames is None else options.frames
+    if not 1 <= count <= MOST_FRAMES:
+        raise InputError(
+            "--frames {count}: expected a number from 1 to {most_frames}",
+            count=count,
+            most_frames=MOST_FRAMES,
+        )
+    return count

@@ -7,7 +7,8 @@ State used: GL_TEXTURE_2D, GL_LIGHTING, GL_COLOR_MATERIAL, GL_CULL_FACE.
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
+from contextlib import contextmanager
 
 import numpy as np
 
@@ -81,17 +82,23 @@ class Animal(Element[Settings], ABC):
 
     def draw(self, frame: Frame) -> None:
         """Draw the mesh at its place; with ``camera.cull``, without its back faces."""
+        with self._lit_in_place():
+            self._texture.bind()
+            # A mesh with a hole shows its inside: it keeps its back faces.
+            with front_faces(self._closed and self.settings.camera.cull):
+                self._list(frame).call()
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+    @contextmanager
+    def _lit_in_place(self) -> Iterator[None]:
+        """Let the block draw at the animal's place, lit, in its material, and with textures."""
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
             gl.glTranslatef(*self.place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             lit(self.settings.shading)
             self._set_material()
             gl.glEnable(gl.GL_TEXTURE_2D)
-            self._texture.bind()
-            # A mesh with a hole shows its inside: it keeps its back faces.
-            with front_faces(self._closed and self.settings.camera.cull):
-                self._list(frame).call()
-            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+            yield
 
     def send(self, frame: Frame) -> None:
         """Send the mesh at its place, whatever the state; back faces are left out as by draw."""

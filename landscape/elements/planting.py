@@ -123,6 +123,12 @@ def plant(settings: Settings, field: HeightField, seed: int, kinds: set[str]) ->
     return Sprites(*(np.concatenate(each) for each in arrays))
 
 
+def counts_and_sizes(settings: Settings) -> list[tuple[int, float, float]]:
+    """Return how many trees, deer and plants there are, and from which size to which."""
+    groups = settings.trees, settings.deer, settings.plants
+    return [(group.count, group.size_min, group.size_max) for group in groups]
+
+
 def site(settings: Settings) -> tuple[object, ...]:
     """Return the settings that determine where there is land and what else stands on it."""
     ground = settings.ground

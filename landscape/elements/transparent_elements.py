@@ -27,7 +27,7 @@ from landscape.elements.atlas import CELLS, cell_coordinates, mip_levels, read_c
 from landscape.elements.element import Element, Site
 from landscape.elements.ground import Ground
 from landscape.elements.places_file import RANDOM, read_places
-from landscape.elements.planting import PLANT, Sprites, plant, site
+from landscape.elements.planting import PLANT, Sprites, counts_and_sizes, plant, site
 from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
@@ -120,11 +120,10 @@ class TransparentElements(Element[Settings]):
     @classmethod
     def built_from(cls, settings: Settings) -> Hashable:
         """Return the settings that the sprites' places, sizes and kinds depend on."""
-        groups = settings.trees, settings.deer, settings.plants
-        sizes = [(group.count, group.size_min, group.size_max) for group in groups]
         species = settings.trees.species, settings.deer.species
         shared = settings.transparent
-        return (*sizes, *species, shared.places, shared.surround, *site(settings))
+        places = shared.places, shared.surround
+        return (*counts_and_sizes(settings), *species, *places, *site(settings))
 
     def __init__(
         self, settings: Settings, assets: Assets, ground: Ground, seed: int, kinds: set[str]

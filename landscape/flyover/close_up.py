@@ -93,10 +93,8 @@ def layered(texels: np.ndarray, side: int, x: np.ndarray, y: np.ndarray) -> np.n
     """
     left, top = np.floor(x), np.floor(y)
     u, v = x - left, y - top
-    column, row = left.astype(np.int32), top.astype(np.int32)
-    right, below = column + 1, row + 1
-    for each in (column, row, right, below):
-        each &= side - 1
+    column, right = _neighbours(left, side - 1)
+    row, below = _neighbours(top, side - 1)
     row *= side
     below *= side
     upper, lower = (
@@ -120,10 +118,8 @@ def between(picture: Pyramid, x: np.ndarray, y: np.ndarray, own: np.ndarray) -> 
     u *= 256
     v *= 256
 
-    column, row = left.astype(np.int32), top.astype(np.int32)
-    right, below = column + 1, row + 1
-    for each in (column, row, right, below):
-        each &= mask
+    column, right = _neighbours(left, mask)
+    row, below = _neighbours(top, mask)
     row <<= bits
     below <<= bits
 
@@ -143,3 +139,12 @@ def between(picture: Pyramid, x: np.ndarray, y: np.ndarray, own: np.ndarray) -> 
     if len(wet):
         found[wet] = found.take(wet) & ~OPAQUE | own.take(wet) & OPAQUE
     return found
+
+
+def _neighbours(first: np.ndarray, mask: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the numbers of texels (n,) and of those after them, in a picture that is repeated."""
+    before = first.astype(np.int32)
+    after = before + 1
+    before &= mask
+    after &= mask
+    return before, after

@@ -14,7 +14,7 @@ import numpy as np
 from framelens.base.errors import InputError, Message
 from framelens.base.output import write_whole
 from landscape.files.assets import shipped
-from landscape.files.svg_environment import read
+from landscape.files.svg_environment import SvgEnvironment, read
 from landscape.files.svg_writing import environment_text
 from landscape.flyover import island
 from landscape.flyover.flight import Flight
@@ -30,14 +30,8 @@ SHORTEST = 1.0  # pixels, chosen: the length of a path
 
 
 @dataclass(frozen=True)
-class Environment:
-    """An environment; places are in pixels of the height image, from its top left corner."""
-
-    name: str
-    image: np.ndarray  # float32 (h, w) in 0..255
-    subpaths: tuple[np.ndarray, ...]  # each (n, 4, 2), cubic Bezier curves
-    targets: np.ndarray  # (m, 2)
-    notices: tuple[str, ...] = ()  # what of the file is left out, a line each
+class Environment(SvgEnvironment):
+    """An environment that is flown over: its image holds heights."""
 
     @property
     def side(self) -> int:

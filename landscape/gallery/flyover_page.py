@@ -26,7 +26,14 @@ from landscape.gallery.flyover_captions import (
     Shot,
 )
 from landscape.gallery.panels import FigurePanel, PanelRenderer, as_text
-from landscape.gallery.scene_page import PAIR_SIZE, STEP_SIZE, VIEW_SIZE, pair_entry, view_entry
+from landscape.gallery.scene_page import (
+    PAIR_SIZE,
+    STEP_SIZE,
+    VIEW_SIZE,
+    introduced,
+    pair_entry,
+    view_entry,
+)
 from landscape.settings.declare import preset, with_settings
 
 NAME = "flyover"  # of its folder in screenshots, and for `landscape figures`
@@ -79,11 +86,7 @@ def page(language: str = "en") -> str:
     """Return the page in a language."""
     _ = translator(language, "gallery")
     by_name = {panel.name: panel for panel in panels()}
-    title, *introduction = INTRODUCTION
-    other = "[Français](README.fr.md)" if language == "en" else "[English](README.md)"
-    lines = [f"# {_(title)}", "", other, ""]
-    for paragraph in introduction:
-        lines += [_(paragraph), ""]
+    lines = introduced(INTRODUCTION, language, _)
     for shot in VIEWS:
         lines += view_entry(by_name[shot.name], _)
     lines += [f"## {_(STEPS_HEADING)}", "", _(STEPS_TEXT), ""]

@@ -17,6 +17,7 @@ from framelens.base.errors import InputError
 from landscape.elements.unfolded_sky import unfolded
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
+from landscape.frame import Pose
 from landscape.gallery.asset_captions import ASSET_PANELS
 from landscape.gallery.view_captions import VIEW_PANELS
 from landscape.island.fixes import FIXES, Fix
@@ -170,9 +171,7 @@ def view_panel(name: str) -> FigurePanel:
 def fix_panel(fix: Fix, after: bool) -> FigurePanel:
     """Return one half of a fix's pair."""
     settings, pose = fix.settings(after), fix.pose(after)
-    numbers = (pose.x, pose.y, pose.z, pose.yaw, pose.pitch)
-    where = ",".join("ground" if v is None else f"{v:g}" for v in numbers)
-    command = ["landscape", "render", f"--pose={where}", "--only", ",".join(fix.only)]
+    command = ["landscape", "render", as_option(pose), "--only", ",".join(fix.only)]
     command += ["--preset", REPORT_PRESET, "--size", f"{SIZE[0]}x{SIZE[1]}", "--kt", f"{fix.kt:g}"]
     for key, value in settings.items():
         command += ["--set", f"{key}={as_text(value)}"]
@@ -183,6 +182,12 @@ def fix_panel(fix: Fix, after: bool) -> FigurePanel:
     when, seen = "after" if after else "before", fix.seen[after]
     name, title = f"{fix.name}_{when}", f"{fix.title}: {when}"
     return FigurePanel(name, title, seen, fix.look, shlex.join(command), draw)
+
+
+def as_option(pose: Pose) -> str:
+    """Return a pose as the option that asks for it."""
+    numbers = (pose.x, pose.y, pose.z, pose.yaw, pose.pitch)
+    return "--pose=" + ",".join("ground" if v is None else f"{v:g}" for v in numbers)
 
 
 def as_text(value: object) -> str:

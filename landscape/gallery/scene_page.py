@@ -5,13 +5,13 @@ hall` draws the pictures; they lie in screenshots/hall, as WebP.
 """
 
 import shlex
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from framelens.base.texts import Translator, translator
-from landscape.gallery.panels import FigurePanel, PanelRenderer, as_text
+from landscape.gallery.panels import FigurePanel, PanelRenderer, as_option, as_text
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS, Step
 from landscape.scene.scene import Scene, View, scene
 
@@ -54,9 +54,7 @@ def _fix_panel(kind: Scene, fix: Any, after: bool) -> FigurePanel:
     settings: Mapping[str, object] = fix.settings(after)
     pose = fix.pose(after)
     only = fix.as_view().shown
-    numbers = (pose.x, pose.y, pose.z, pose.yaw, pose.pitch)
-    where = ",".join("ground" if v is None else f"{v:g}" for v in numbers)
-    command = ["landscape", "render", "--scene", kind.name, f"--pose={where}"]
+    command = ["landscape", "render", "--scene", kind.name, as_option(pose)]
     command += ["--size", "{}x{}".format(*PAIR_SIZE), "--kt", f"{fix.kt:g}"]
     hidden = [name for name in kind.elements if name not in only]
     command += ["--only", ",".join(only)] if hidden else []
@@ -78,11 +76,7 @@ def page(name: str, language: str = "en") -> str:
     _ = translator(language, "gallery", "fixes")
     kind = scene(name)
     by_name = {panel.name: panel for panel in panels(kind)}
-    title, *introduction = INTRODUCTIONS[name]
-    other = "[Français](README.fr.md)" if language == "en" else "[English](README.md)"
-    lines = [f"# {_(title)}", "", other, ""]
-    for paragraph in introduction:
-        lines += [_(paragraph), ""]
+    lines = introduced(INTRODUCTIONS[name], language, _)
     for view in VIEW_TEXTS[name]:
         lines += view_entry(by_name[view], _)
     for heading, text, steps in STEPS.get(name, ()):
@@ -94,6 +88,16 @@ def page(name: str, language: str = "en") -> str:
     for fix in kind.fixes:
         lines += pair_entry(fix, by_name[f"{fix.name}_before"], by_name[f"{fix.name}_after"], _)
     return "\n".join(lines)
+
+
+def introduced(texts: Sequence[str], language: str, _: Translator) -> list[str]:
+    """Return the lines with which a page begins: its title, the other language, and paragraphs."""
+    title, *introduction = texts
+    other = "[Français](README.fr.md)" if language == "en" else "[English](README.md)"
+    lines = [f"# {_(title)}", "", other, ""]
+    for paragraph in introduction:
+        lines += [_(paragraph), ""]
+    return lines
 
 
 def view_entry(panel: FigurePanel, _: Translator, level: str = "##") -> list[str]:

@@ -74,23 +74,25 @@ def spread(needs: np.ndarray, room: np.ndarray, most: int) -> np.ndarray:
     They reach ``most`` points to each side, and less where ``room`` (n,), the points up to the next
     one that has to stay, is less: where that is 0, the curve is what is needed there.
     """
-    at = np.arange(len(needs))
-    wide = np.minimum(most, room / 1.5).astype(int)
-    low, high = np.maximum(at - wide, 0), np.minimum(at + wide, len(at) - 1) + 1
+    low, high = _reach(np.minimum(most, room / 1.5))
     greatest = np.array([needs[i:k].max() for i, k in zip(low, high, strict=True)])
     return blurred(greatest, room, most)
 
 
 def blurred(values: np.ndarray, room: np.ndarray, most: int) -> np.ndarray:
     """Return moving means of values (n, ...), two after each other; the reach as in spread()."""
-    at = np.arange(len(values))
-    wide = np.minimum(most / 2, room / 6).astype(int)
-    low, high = np.maximum(at - wide, 0), np.minimum(at + wide, len(at) - 1) + 1
+    low, high = _reach(np.minimum(most / 2, room / 6))
     for _ in range(2):
         total = np.concatenate([np.zeros_like(values[:1]), np.cumsum(values, axis=0)])
         count = (high - low).reshape(-1, *[1] * (values.ndim - 1))
         values = (total[high] - total[low]) / count
     return values
+
+
+def _reach(wide: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the first of the points (n,) so ``wide`` to each side of each, and the end of them."""
+    at, whole = np.arange(len(wide)), wide.astype(int)
+    return np.maximum(at - whole, 0), np.minimum(at + whole, len(at) - 1) + 1
 
 
 def found(obstacles: Obstacles, at: np.ndarray, within: float) -> list[tuple[float, float, float]]:

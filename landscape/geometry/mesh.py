@@ -130,11 +130,16 @@ def gathered(mesh: Mesh) -> Mesh:
     )
 
 
+def edges(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the vertices, int64 (3 m,), where the edges of triangles (m, 3) begin, and end."""
+    corners = triangles.astype(np.int64)
+    return corners.ravel(), corners[:, [1, 2, 0]].ravel()
+
+
 def is_closed(triangles: np.ndarray) -> bool:
     """Return whether every edge of triangles (m, 3) has exactly one twin in the other direction."""
-    corners = triangles.astype(np.int64)
-    starts, ends = corners.ravel(), corners[:, [1, 2, 0]].ravel()
-    side = int(corners.max(initial=0)) + 1
+    starts, ends = edges(triangles)
+    side = int(starts.max(initial=0)) + 1
     forth, back = np.sort(starts * side + ends), np.sort(ends * side + starts)
     return bool(np.array_equal(forth, back) and (np.diff(forth) > 0).all())
 

@@ -7,6 +7,8 @@ the triangles that face the light close at the near end and their images at the 
 
 import numpy as np
 
+from landscape.geometry.mesh import edges
+
 
 def faces_light(vertices: np.ndarray, triangles: np.ndarray, light: np.ndarray) -> np.ndarray:
     """Return which triangles (m, 3) show their front to a point (3,), bool (m,)."""
@@ -20,15 +22,14 @@ def boundary(triangles: np.ndarray) -> np.ndarray:
     An edge that is left over several times is returned as often. Each vertex begins as many edges
     as it ends, so that they form closed lines whatever the mesh.
     """
-    corners = triangles.astype(np.int64)
-    starts, ends = corners.ravel(), corners[:, [1, 2, 0]].ravel()
+    starts, ends = edges(triangles)
     low, high = np.minimum(starts, ends), np.maximum(starts, ends)
-    side = int(corners.max(initial=0)) + 1
+    side = int(high.max(initial=0)) + 1
     keys, own = np.unique(low * side + high, return_inverse=True)
     net = np.bincount(own, np.where(starts < ends, 1, -1), len(keys)).astype(np.int64)
     low, high = keys // side, keys % side
-    edges = np.stack([np.where(net > 0, low, high), np.where(net > 0, high, low)], axis=1)
-    return np.repeat(edges, np.abs(net), axis=0)
+    directed = np.stack([np.where(net > 0, low, high), np.where(net > 0, high, low)], axis=1)
+    return np.repeat(directed, np.abs(net), axis=0)
 
 
 def shadow_volume(

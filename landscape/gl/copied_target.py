@@ -10,7 +10,7 @@ from contextlib import contextmanager
 import numpy as np
 
 from framelens.gl.seam import gl
-from framelens.gl.texture import edge
+from framelens.gl.texture import filter_within_edges
 
 
 class CopiedTarget:
@@ -24,10 +24,7 @@ class CopiedTarget:
         gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
         form = gl.GL_RGB, gl.GL_UNSIGNED_BYTE
         gl.glTexImage2D(gl.GL_TEXTURE_2D, 0, gl.GL_RGB8, *self.size, 0, *form, None)
-        for name in (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T):
-            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, edge())
-        for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
-            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_LINEAR)
+        filter_within_edges()
         gl.glBindTexture(gl.GL_TEXTURE_2D, bound)
 
     @contextmanager

@@ -10,6 +10,7 @@ import numpy as np
 
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib
+from landscape.gl.drawing_into import drawing_into, new_texture
 
 LIT = np.ones(4, np.float32)  # the greatest depth: outside the texture nothing is nearer
 
@@ -24,24 +25,21 @@ class DepthTarget:
     def __init__(self, side: int) -> None:
         """Create a square of ``side`` texels; what is bound stays bound."""
         self.side = side
-        bound = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
-        self.name = int(gl.glGenTextures(1))
-        gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
-        kind = gl.GL_DEPTH_COMPONENT24, side, side, 0, gl.GL_DEPTH_COMPONENT, gl.GL_UNSIGNED_INT
-        gl.glTexImage2D(gl.GL_TEXTURE_2D, 0, *kind, None)
-        parameters = {
-            gl.GL_TEXTURE_WRAP_S: gl.GL_CLAMP_TO_BORDER,
-            gl.GL_TEXTURE_WRAP_T: gl.GL_CLAMP_TO_BORDER,
-            gl.GL_TEXTURE_MIN_FILTER: gl.GL_LINEAR,
-            gl.GL_TEXTURE_MAG_FILTER: gl.GL_LINEAR,
-            gl.GL_TEXTURE_COMPARE_MODE: gl.GL_COMPARE_R_TO_TEXTURE,
-            gl.GL_TEXTURE_COMPARE_FUNC: gl.GL_LEQUAL,
-            gl.GL_DEPTH_TEXTURE_MODE: gl.GL_LUMINANCE,
-        }
-        for name, value in parameters.items():
-            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
-        gl.glTexParameterfv(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_BORDER_COLOR, LIT)
-        gl.glBindTexture(gl.GL_TEXTURE_2D, bound)
+        with new_texture() as self.name:
+            kind = gl.GL_DEPTH_COMPONENT24, side, side, 0, gl.GL_DEPTH_COMPONENT, gl.GL_UNSIGNED_INT
+            gl.glTexImage2D(gl.GL_TEXTURE_2D, 0, *kind, None)
+            parameters = {
+                gl.GL_TEXTURE_WRAP_S: gl.GL_CLAMP_TO_BORDER,
+                gl.GL_TEXTURE_WRAP_T: gl.GL_CLAMP_TO_BORDER,
+                gl.GL_TEXTURE_MIN_FILTER: gl.GL_LINEAR,
+                gl.GL_TEXTURE_MAG_FILTER: gl.GL_LINEAR,
+                gl.GL_TEXTURE_COMPARE_MODE: gl.GL_COMPARE_R_TO_TEXTURE,
+                gl.GL_TEXTURE_COMPARE_FUNC: gl.GL_LEQUAL,
+                gl.GL_DEPTH_TEXTURE_MODE: gl.GL_LUMINANCE,
+            }
+            for name, value in parameters.items():
+                gl.glTexParameteri(gl.GL_TEXTURE_2D, name, value)
+            gl.glTexParameterfv(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_BORDER_COLOR, LIT)
 
         previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
         self._frame = int(gl.glGenFramebuffers(1))
@@ -62,22 +60,13 @@ class DepthTarget:
         Only ``part`` of it is cleared and drawn, if given: x, y, width and height in texels.
         Without ``clear`` the block adds to what is there.
         """
-        previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
-        viewport = gl.glGetIntegerv(gl.GL_VIEWPORT).tolist()
-        gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)
-
-        try:
-            gl.glViewport(0, 0, self.side, self.side)
-            with attrib(gl.GL_SCISSOR_BIT):
-                if part is not None:
-                    gl.glEnable(gl.GL_SCISSOR_TEST)
-                    gl.glScissor(*part)
-                if clear:
-                    gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
-                yield
-        finally:
-            gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
-            gl.glViewport(*viewport)
+        with drawing_into(self._frame, (self.side, self.side)), attrib(gl.GL_SCISSOR_BIT):
+            if part is not None:
+                gl.glEnable(gl.GL_SCISSOR_TEST)
+                gl.glScissor(*part)
+            if clear:
+                gl.glClear(gl.GL_DEPTH_BUFFER_BIT)
+            yield
 
     def bind(self) -> None:
         """Make the depths the 2D texture of the active unit."""

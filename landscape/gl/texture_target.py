@@ -11,7 +11,8 @@ from contextlib import contextmanager
 import numpy as np
 
 from framelens.gl.seam import gl
-from framelens.gl.texture import edge
+from framelens.gl.texture import filter_within_edges
+from landscape.gl.drawing_into import drawing_into, new_texture
 
 
 class TextureTarget:
@@ -23,24 +24,11 @@ class TextureTarget:
         ``form`` is the internal format without its GL_; "RGBA32F" needs ARB_texture_float.
         """
         self.size = size
-        bound = int(gl.glGetIntegerv(gl.GL_TEXTURE_BINDING_2D))
-        self.name = int(gl.glGenTextures(1))
-        gl.glBindTexture(gl.GL_TEXTURE_2D, self.name)
-        gl.glTexImage2D(
-            gl.GL_TEXTURE_2D,
-            0,
-            getattr(gl, f"GL_{form}"),
-            *size,
-            0,
-            gl.GL_RGB,
-            gl.GL_UNSIGNED_BYTE,
-            None,
-        )
-        for name in (gl.GL_TEXTURE_WRAP_S, gl.GL_TEXTURE_WRAP_T):
-            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, edge())
-        for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
-            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_LINEAR)
-        gl.glBindTexture(gl.GL_TEXTURE_2D, bound)
+        inner = getattr(gl, f"GL_{form}")
+        with new_texture() as self.name:
+            pixels = gl.GL_RGB, gl.GL_UNSIGNED_BYTE, None
+            gl.glTexImage2D(gl.GL_TEXTURE_2D, 0, inner, *size, 0, *pixels)
+            filter_within_edges()
 
         previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
         self._frame = int(gl.glGenFramebuffers(1))
@@ -63,20 +51,11 @@ class TextureTarget:
     @contextmanager
     def drawing(self, clear: bool = True) -> Iterator[None]:
         """Let the block draw into the texture, by default cleared; then restore the framebuffer."""
-        previous = int(gl.glGetIntegerv(gl.GL_FRAMEBUFFER_BINDING))
-        # Not by glPushAttrib: in Mesa, what the block changes of other groups would then not be
-        # restored by a glPopAttrib around it.
-        viewport = gl.glGetIntegerv(gl.GL_VIEWPORT).tolist()
-        gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, self._frame)
-        try:
-            gl.glViewport(0, 0, *self.size)
+        with drawing_into(self._frame, self.size):
             if clear:
                 buffers = gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT
                 gl.glClear(buffers)
             yield
-        finally:
-            gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, previous)
-            gl.glViewport(*viewport)
 
     def bind(self) -> None:
         """Make the colour the 2D texture of the active unit."""

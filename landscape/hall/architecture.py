@@ -150,9 +150,8 @@ def pool() -> list[Surface]:
 
 def alcove(middle: float, to_wall: float) -> list[Surface]:
     """Return the sides, the back and the floor of the alcove whose middle is at z ``middle``."""
-    opening = plan.ALCOVE_HALF, 0.0, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP
     depth = np.array([-plan.ALCOVE_DEPTH, 0.0, 0.0])
-    found = embrasure(middle, opening, across_x(to_wall), depth, 0.0)
+    found = embrasure(middle, plan.RECESS, across_x(to_wall), depth, 0.0)
     edges = middle - plan.ALCOVE_HALF, middle + plan.ALCOVE_HALF
     head = pointed(middle, plan.ALCOVE_HALF, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP)
     back = across_x(to_wall - plan.ALCOVE_DEPTH)
@@ -165,18 +164,15 @@ def alcove(middle: float, to_wall: float) -> list[Surface]:
 def walls() -> list[Surface]:
     """Return the four walls, their openings' sides, and the alcoves."""
     inside, centre = plan.INSIDE, np.array([plan.AXIS, 0.3, (plan.INSIDE.north + 2.8) / 2])
-    window = plan.WINDOW_HALF, plan.WINDOW_SILL, plan.WINDOW_SPRINGING, plan.WINDOW_TOP
-    recess = plan.ALCOVE_HALF, 0.0, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP
-    door = plan.DOOR_HALF, 0.0, plan.DOOR_SPRINGING, plan.DOOR_TOP
     found: list[Surface] = []
     openings: list[Surface] = []
     outside = np.array([plan.WALL, 0.0, 0.0])
     for bay in zip(plan.BAYS, plan.BAYS[1:], strict=False):
         middle = sum(bay) / 2
         to = across_x(inside.east)
-        found += wall_with_opening(bay, window, to)
-        openings += embrasure(middle, window, to, outside, plan.WINDOW_SPLAY)
-        found += wall_with_opening(bay, recess, across_x(inside.west))
+        found += wall_with_opening(bay, plan.WINDOW, to)
+        openings += embrasure(middle, plan.WINDOW, to, outside, plan.WINDOW_SPLAY)
+        found += wall_with_opening(bay, plan.RECESS, across_x(inside.west))
         openings += alcove(middle, inside.west)
 
     spans = [(inside.west, plan.ROWS[0]), plan.ROWS, (plan.ROWS[1], inside.east)]
@@ -186,9 +182,9 @@ def walls() -> list[Surface]:
             found.append(Surface(part.points, part.material, part.plain, 1.0, sheet))
 
     to = across_z(inside.south)
-    found += wall_with_opening(spans[1], door, to)
+    found += wall_with_opening(spans[1], plan.DOOR, to)
     outside = np.array([0.0, 0.0, plan.WALL])
-    openings += embrasure(plan.AXIS, door, to, outside, 0.0)
+    openings += embrasure(plan.AXIS, plan.DOOR, to, outside, 0.0)
     step = plan.Rectangle(
         plan.AXIS - plan.DOOR_HALF,
         plan.AXIS + plan.DOOR_HALF,

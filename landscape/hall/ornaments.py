@@ -271,15 +271,12 @@ def mouldings() -> list[Surface]:
     found = []
     west, east = np.array([1.0, 0.0, 0.0]), np.array([-1.0, 0.0, 0.0])
     north, south = np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0])
-    window = plan.WINDOW_HALF, plan.WINDOW_SILL, plan.WINDOW_SPRINGING, plan.WINDOW_TOP
-    recess = plan.ALCOVE_HALF, 0.0, plan.ALCOVE_SPRINGING, plan.ALCOVE_TOP
-    door = plan.DOOR_HALF, 0.0, plan.DOOR_SPRINGING, plan.DOOR_TOP
     for middle in plan.ALCOVES:
         # From north to south seen from within, so that the profile's right side is outside.
-        found.append(hood(outline(middle, window, across_x(inside.east)), east))
-        found.append(hood(outline(middle, recess, across_x(inside.west)), west))
+        found.append(hood(outline(middle, plan.WINDOW, across_x(inside.east)), east))
+        found.append(hood(outline(middle, plan.RECESS, across_x(inside.west)), west))
 
-    found.append(hood(outline(plan.AXIS, door, across_z(inside.south)), south))
+    found.append(hood(outline(plan.AXIS, plan.DOOR, across_z(inside.south)), south))
     height, radius = plan.ROSE
     ring = circle(
         np.array([plan.AXIS, height, inside.north]),

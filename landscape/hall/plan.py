@@ -50,6 +50,11 @@ ALCOVE_HALF, ALCOVE_DEPTH = 0.12, 0.20
 ALCOVE_SPRINGING, ALCOVE_TOP = 0.20, 0.30
 ALCOVES = tuple((north + south) / 2 for north, south in zip(BAYS, BAYS[1:], strict=False))
 
+# Of the openings in the walls: half the width, and the heights of sill, springing and top.
+WINDOW = WINDOW_HALF, WINDOW_SILL, WINDOW_SPRINGING, WINDOW_TOP
+DOOR = DOOR_HALF, 0.0, DOOR_SPRINGING, DOOR_TOP
+RECESS = ALCOVE_HALF, 0.0, ALCOVE_SPRINGING, ALCOVE_TOP
+
 POOL = Rectangle(1.44, 1.76, 1.86, 2.34)
 POOL_BED, POOL_WATER = -0.05, -0.008
 RIM = 0.02  # width of the stone around the pool

@@ -6,7 +6,7 @@ each band of each voice, a column for each ear. No OpenGL here.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -145,12 +145,8 @@ class Soundscape:
         parts += [self._fire(ear, k) for k in range(len(self.fires))]
 
         if self.drops is not None:
-            x, y, z = self.drops
-            east, up, south = x - ear.x, y - ear.y, z - ear.z
-            away = math.sqrt(east * east + up * up + south * south)
-            sides = pan(
-                math.degrees(math.atan2(east, -south)) - ear.yaw, spread=min(away / 0.2, 1.0)
-            )
+            away, relative = _seen_from(ear, self.drops)
+            sides = pan(relative, spread=min(away / 0.2, 1.0))
             parts.append(DROPS_LEVEL / (1.0 + away / 0.6) * sides[None])
 
         if self.room is not None:
@@ -216,10 +212,7 @@ class Soundscape:
         return table.reshape(8, 2)
 
     def _fire(self, ear: Ear, number: int) -> np.ndarray:
-        x, y, z = self.fires[number]
-        east, up, south = x - ear.x, y - ear.y, z - ear.z
-        away = math.sqrt(east * east + up * up + south * south)
-        relative = math.degrees(math.atan2(east, -south)) - ear.yaw
+        away, relative = _seen_from(ear, self.fires[number])
         # A fire that one stands in has no direction.
         sides = pan(relative, spread=min(away / 0.05, 1.0))
         loud = FIRE_LEVEL * fire.loudness(away, ear.kt, number) * self._muffled(ear)
@@ -262,6 +255,14 @@ def shaded(relative: float) -> np.ndarray:
     """Return what is left (3,) of each band of a source ``relative`` degrees to the right."""
     behind = 0.5 - 0.5 * math.cos(math.radians(relative))
     return np.array([1.0, 1.0 - 0.4 * BEHIND * behind, 1.0 - BEHIND * behind])
+
+
+def _seen_from(ear: Ear, place: Iterable[float]) -> tuple[float, float]:
+    """Return how far away a place is, and where, in degrees to the right of straight ahead."""
+    x, y, z = place
+    east, up, south = x - ear.x, y - ear.y, z - ear.z
+    away = math.sqrt(east * east + up * up + south * south)
+    return away, math.degrees(math.atan2(east, -south)) - ear.yaw
 
 
 STONY = Soundscape(windy=0.0, ground=lambda x, y, z: STONE, grounds=(STONE,))

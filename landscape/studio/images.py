@@ -36,6 +36,18 @@ def spectral_noise(size: int, exponent: float, seed: int, low_cut: float = 0.0) 
     return (noise - noise.mean()) / noise.std()
 
 
+def ridged(size: int, seed: int, octaves: int, low_cut: float) -> np.ndarray:
+    """Return ridged noise (size, size) in 0..1: sharp crests, each octave finer on the crests."""
+    total, weight = np.zeros((size, size)), np.ones((size, size))
+    for octave in range(octaves):
+        noise = spectral_noise(size, 3.0, seed + octave, low_cut * 2**octave)
+        sharp = (1.0 - np.minimum(np.abs(noise) / 2.4, 1.0)) ** 1.5
+        total += sharp * weight * 0.5**octave
+        weight = np.clip(sharp * 1.6, 0.0, 1.0)
+    total -= total.min()
+    return total / total.max()
+
+
 def smoothstep(low: float, high: float, x: np.ndarray) -> np.ndarray:
     """Return the cubic step from 0 at ``low`` to 1 at ``high``."""
     t = np.clip((x - low) / (high - low), 0.0, 1.0)

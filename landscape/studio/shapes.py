@@ -53,6 +53,12 @@ def ellipsoid(x: float, y: float, z: float, rx: float, ry: float, rz: float) -> 
 
 
 @njit
+def part_way(px: float, py: float, pz: float, dx: float, dy: float, dz: float) -> float:
+    """Return where on the segment from 0 to d the point nearest to p is, 0..1."""
+    return clamp((px * dx + py * dy + pz * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
+
+
+@njit
 def limb(
     x: float,
     y: float,
@@ -70,13 +76,10 @@ def limb(
     dx = bx - ax
     dy = by - ay
     dz = bz - az
-    px = x - ax
-    py = y - ay
-    pz = z - az
-    t = clamp((px * dx + py * dy + pz * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
-    px = px - t * dx
-    py = py - t * dy
-    pz = pz - t * dz
+    t = part_way(x - ax, y - ay, z - az, dx, dy, dz)
+    px = x - ax - t * dx
+    py = y - ay - t * dy
+    pz = z - az - t * dz
     return math.sqrt(px * px + py * py + pz * pz) - mix(ra, rb, t)
 
 
@@ -174,7 +177,7 @@ def nearest(curve: np.ndarray, x: float, y: float, z: float) -> tuple[int, float
         px = x - ax
         py = y - ay
         pz = z - az
-        t = clamp((px * dx + py * dy + pz * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
+        t = part_way(px, py, pz, dx, dy, dz)
         d = (px - t * dx) ** 2 + (py - t * dy) ** 2 + (pz - t * dz) ** 2
         if d < best:
             best = d
@@ -182,3 +185,19 @@ def nearest(curve: np.ndarray, x: float, y: float, z: float) -> tuple[int, float
             best_t = t
 
     return best_i, best_t, math.sqrt(best)
+
+
+@njit
+def across(
+    curve: np.ndarray, i: int, t: float, x: float, y: float, z: float
+) -> tuple[float, float]:
+    """Return x, y, z along the two directions across a curve, from its point ``t`` after vertex i.
+
+    The directions are in the columns 5 to 7 and 8 to 10 of ``curve``.
+    """
+    u = v = 0.0
+    for k in range(3):
+        o = (x, y, z)[k] - mix(curve[i, k], curve[i + 1, k], t)
+        u += o * mix(curve[i, 5 + k], curve[i + 1, 5 + k], t)
+        v += o * mix(curve[i, 8 + k], curve[i + 1, 8 + k], t)
+    return u, v

@@ -282,15 +282,18 @@ def finer(normals: np.ndarray) -> np.ndarray:
     )
     total = np.tensordot(SHARES, np.stack([wide, own, small]), 1)
     found = np.concatenate([total, np.ones((*total.shape[:2], 1))], axis=2)
-    found /= np.linalg.norm(found, axis=-1, keepdims=True)
-    return np.rint((found + 1.0) * 127.5).astype(np.uint8)
+    return _encoded(found)
 
 
 def steepened(normals: np.ndarray, times: float) -> np.ndarray:
     """Return a map of normals, uint8 (n, n, 3) with z up, of slopes so many times as steep."""
-    found = (normals / 127.5 - 1.0) * (times, times, 1.0)
-    found /= np.linalg.norm(found, axis=-1, keepdims=True)
-    return np.rint((found + 1.0) * 127.5).astype(np.uint8)
+    return _encoded((normals / 127.5 - 1.0) * (times, times, 1.0))
+
+
+def _encoded(directions: np.ndarray) -> np.ndarray:
+    """Return directions (n, n, 3) of any length as a map of normals, uint8."""
+    normals = directions / np.linalg.norm(directions, axis=-1, keepdims=True)
+    return np.rint((normals + 1.0) * 127.5).astype(np.uint8)
 
 
 @contextmanager

@@ -3,7 +3,8 @@
 import os
 import sys
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from types import ModuleType
 from typing import Any
 
 from framelens.base.errors import Message, NoOpenGLError
@@ -217,3 +218,16 @@ class GLFWContext:
     def _terminate(self) -> None:
         if GLFWContext._windows == 0:
             self.glfw.terminate()
+
+
+def call_for_pointer(
+    glfw: ModuleType,
+    window: object,
+    button: Callable[[int, int, int], None],
+    motion: Callable[[float, float], None],
+    scroll: Callable[[float, float], None],
+) -> None:
+    """Let functions be called for what the pointer does in a window."""
+    glfw.set_mouse_button_callback(window, lambda _, *what: button(*what))
+    glfw.set_cursor_pos_callback(window, lambda _, x, y: motion(x, y))
+    glfw.set_scroll_callback(window, lambda _, x, y: scroll(x, y))

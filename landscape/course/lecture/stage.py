@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from framelens.gl.apart import apart
-from framelens.gl.contexts.glfw import GLFWContext
+from framelens.gl.contexts.glfw import GLFWContext, call_for_pointer
 from framelens.gl.objects import forget_objects
 from framelens.gl.seam import unnoted
 from framelens.inspector.wheel import Wheel
@@ -255,9 +255,7 @@ class Stage(GLFWContext):
         glfw, window = self.glfw, self.window
         glfw.set_key_callback(window, lambda _, key, __, action, mods: self._key(key, action, mods))
         glfw.set_char_callback(window, lambda _, code: self._letter(chr(code)))
-        glfw.set_mouse_button_callback(window, lambda _, *what: self._button(*what))
-        glfw.set_cursor_pos_callback(window, lambda _, x, y: self._motion(x, y))
-        glfw.set_scroll_callback(window, lambda _, x, y: self._scroll(x, y))
+        call_for_pointer(glfw, window, self._button, self._motion, self._scroll)
 
     def _key(self, key: int, action: int, mods: int) -> None:
         glfw = self.glfw

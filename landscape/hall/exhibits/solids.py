@@ -145,9 +145,7 @@ class Solids(Element[Settings]):
         """Draw the part of a surface that is inside another solid, or outside."""
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT
         with attrib(groups | gl.GL_VIEWPORT_BIT | gl.GL_STENCIL_BUFFER_BIT):
-            gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
-            gl.glStencilFunc(gl.GL_EQUAL, kept, kept | DONE)
-            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
+            _only_depth(kept)
             surface()
             # Each face of the other solid in front of the surface inverts the bit.
             gl.glDisable(gl.GL_CULL_FACE)
@@ -166,9 +164,7 @@ class Solids(Element[Settings]):
             surface()
 
             # Where it was not drawn in colour, its depth goes back to the farthest.
-            gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
-            gl.glStencilFunc(gl.GL_EQUAL, kept, kept | DONE)
-            gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)
+            _only_depth(kept)
             gl.glDepthMask(gl.GL_TRUE)
             gl.glDepthFunc(gl.GL_ALWAYS)
             gl.glDepthRange(1.0, 1.0)
@@ -180,3 +176,10 @@ class Solids(Element[Settings]):
         """Delete the lists; may be called twice."""
         for each in (self._ball, self._bar, self._hole):
             each.release()
+
+
+def _only_depth(kept: int) -> None:
+    """Let what is sent change the depth alone, where no part has been drawn yet."""
+    gl.glColorMask(gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE, gl.GL_FALSE)
+    gl.glStencilFunc(gl.GL_EQUAL, kept, kept | DONE)
+    gl.glStencilOp(gl.GL_KEEP, gl.GL_KEEP, gl.GL_KEEP)

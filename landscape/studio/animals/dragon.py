@@ -18,6 +18,7 @@ from numba import njit
 from landscape.studio.animals.paint import dragon_colours
 from landscape.studio.animals.sculpture import PaintedMesh, sculpt
 from landscape.studio.shapes import (
+    across,
     carve,
     catmull_rom,
     clamp,
@@ -233,14 +234,7 @@ def dragon_field(x: float, y: float, z: float, data: Any) -> float:
     radius = mix(curve[i, 3], curve[i + 1, 3], t)
     d = distance - radius
     if d < 0.16 and d > -0.5 * radius:
-        ox = x - mix(curve[i, 0], curve[i + 1, 0], t)
-        oy = y - mix(curve[i, 1], curve[i + 1, 1], t)
-        oz = z - mix(curve[i, 2], curve[i + 1, 2], t)
-        u = v = 0.0
-        for k in range(3):
-            o = (ox, oy, oz)[k]
-            u += o * mix(curve[i, 5 + k], curve[i + 1, 5 + k], t)
-            v += o * mix(curve[i, 8 + k], curve[i + 1, 8 + k], t)
+        u, v = across(curve, i, t, x, y, z)
         s = mix(curve[i, 11], curve[i + 1, 11], t)
         ahead = mix(curve[i, 12], curve[i + 1, 12], t)
         spine = mix(curve[i, 13], curve[i + 1, 13], t)

@@ -11,7 +11,17 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from landscape.studio.shapes import clamp, ellipsoid, limb, mix, nearest, noise, step_smooth, turn
+from landscape.studio.shapes import (
+    across,
+    clamp,
+    ellipsoid,
+    limb,
+    mix,
+    nearest,
+    noise,
+    step_smooth,
+    turn,
+)
 
 # All chosen.
 COAT = (0.66, 0.53, 0.39)
@@ -99,11 +109,7 @@ def _dragon_colours(positions, normals, data):  # type: ignore[no-untyped-def]
         z = positions[n, 2]
         i, t, distance = nearest(curve, x, y, z)
         radius = mix(curve[i, 3], curve[i + 1, 3], t)
-        u = v = 0.0
-        for k in range(3):
-            o = (x, y, z)[k] - mix(curve[i, k], curve[i + 1, k], t)
-            u += o * mix(curve[i, 5 + k], curve[i + 1, 5 + k], t)
-            v += o * mix(curve[i, 8 + k], curve[i + 1, 8 + k], t)
+        u, v = across(curve, i, t, x, y, z)
         angle = abs(math.atan2(v, u))
         colour = np.array(FLANK)
         _blend(colour, SPINE, step_smooth(1.7, 0.4, angle))

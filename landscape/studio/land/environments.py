@@ -14,24 +14,12 @@ from scipy.spatial import cKDTree
 
 from landscape.files.svg_writing import environment_text, grey
 from landscape.geometry.bezier import through
-from landscape.studio.images import smoothstep, spectral_noise
+from landscape.studio.images import ridged, smoothstep, spectral_noise
 from landscape.studio.land.erosion import rain, rivers, slide_once
 from landscape.studio.land.terrain import line_distance
 
 SIZE = 512  # pixels
 RELIEF = 64.0  # pixels: the height of black, which is the default of flyover.relief
-
-
-def ridged(seed: int, octaves: int, low_cut: float) -> np.ndarray:
-    """Return ridged noise (SIZE, SIZE) in 0..1: sharp crests, each octave finer on the crests."""
-    total, weight = np.zeros((SIZE, SIZE)), np.ones((SIZE, SIZE))
-    for octave in range(octaves):
-        noise = spectral_noise(SIZE, 3.0, seed + octave, low_cut * 2**octave)
-        sharp = (1.0 - np.minimum(np.abs(noise) / 2.4, 1.0)) ** 1.5
-        total += sharp * weight * 0.5**octave
-        weight = np.clip(sharp * 1.6, 0.0, 1.0)
-    total -= total.min()
-    return total / total.max()
 
 
 # Chosen: crests as (x, y, height). The first five meet at the horn; the others stand around it.
@@ -64,7 +52,7 @@ def alps() -> np.ndarray:
         away, crest = line_distance(x, y, line)
         h = np.maximum(h, crest * np.exp(-away / (0.8 * crest + 5.0)))
     h = ndimage.gaussian_filter(h, 1.0)
-    h += 0.28 * (ridged(55, 5, 9.0) - 0.4) * h
+    h += 0.28 * (ridged(SIZE, 55, 5, 9.0) - 0.4) * h
     low = ndimage.gaussian_filter(0.5 * h, 4.0)
     rivers(h, low, 0.010 * h, 0.004 * h, 1.0, 14)
     for _ in range(4):
@@ -119,7 +107,7 @@ def canyon() -> np.ndarray:
     width = 30.0 + 8.0 * spectral_noise(SIZE, 2.2, 64, 2.0)
 
     # Side canyons: branches where ridged noise is highest, wider towards the river.
-    branch = smoothstep(0.62, 0.9, ridged(65, 3, 3.0)) * np.exp(-away / 70.0)
+    branch = smoothstep(0.62, 0.9, ridged(SIZE, 65, 3, 3.0)) * np.exp(-away / 70.0)
     level = np.clip((away - 9.0) / np.maximum(width, 14.0), 0.0, 1.0) - 0.9 * branch
     for bx, by, radius in BUTTES:
         r = np.hypot(warped[0] - bx, warped[1] - by)

@@ -11,7 +11,7 @@ import numpy as np
 from scipy import ndimage
 
 from landscape.studio.grids import bilinear
-from landscape.studio.images import spectral_noise
+from landscape.studio.images import ridged
 from landscape.studio.sky.air import Scene
 
 # Chosen: azimuth (degrees), then in metres distance, half width, half depth and height.
@@ -40,15 +40,7 @@ RIDGE_PERIOD = 30e3  # period of the ridge texture, metres
 @functools.lru_cache(maxsize=1)
 def ridges() -> np.ndarray:
     """Return the tiling ridge texture (ridged multifractal), (1024, 1024) float32 in 0..1."""
-    total = np.zeros((1024, 1024))
-    weight = np.ones((1024, 1024))
-    for octave in range(6):
-        noise = spectral_noise(1024, 3.0, 61 + octave, low_cut=3.0 * 2**octave)
-        sharp = (1.0 - np.minimum(np.abs(noise) / 2.4, 1.0)) ** 1.5
-        total += sharp * weight * 0.5**octave
-        weight = np.clip(sharp * 1.6, 0.0, 1.0)
-    total -= total.min()
-    return (total / total.max()).astype(np.float32)
+    return ridged(1024, 61, 6, 3.0).astype(np.float32)
 
 
 @numba.njit

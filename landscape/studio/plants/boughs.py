@@ -12,7 +12,7 @@ import numpy as np
 from landscape.studio.light import OVERHEAD
 from landscape.studio.plants.foliage import SIZE, Canvas, Leaves, draw_leaves, foliage_density, unit
 from landscape.studio.plants.growth import Skeleton
-from landscape.studio.plants.trees import draw_skeleton
+from landscape.studio.plants.trees import bounds, draw_skeleton
 
 GLOW = 1.0  # chosen: see foliage.draw_leaves
 
@@ -137,8 +137,7 @@ def fit(skeleton: Skeleton, leaves: Leaves, width: float, height: float, lean: f
 
     ``lean`` is the part of its lean that stays, 0..1.
     """
-    everything = np.concatenate([skeleton.points, leaves.centre])
-    low, high = everything.min(axis=0), everything.max(axis=0)
+    low, high = bounds(skeleton, leaves)
     margin = leaves.length.max()
     skeleton.points[:, 1] = np.maximum(skeleton.points[:, 1], 0.0)
     shear = -(1.0 - lean) * (low[0] + high[0]) / 2 / high[1]

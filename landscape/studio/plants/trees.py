@@ -156,10 +156,15 @@ def foot_grass(spread: float, count: int, rng: np.random.Generator) -> Leaves:
     return Leaves(centre, axis, normal, length, length * 0.14, albedo)
 
 
+def bounds(skeleton: Skeleton, leaves: Leaves) -> tuple[np.ndarray, np.ndarray]:
+    """Return the least and the greatest coordinates (3,) of a tree."""
+    everything = np.concatenate([skeleton.points, leaves.centre])
+    return everything.min(axis=0), everything.max(axis=0)
+
+
 def fit(skeleton: Skeleton, leaves: Leaves, width: float, height: float) -> None:
     """Scale a tree about its foot so that its crown fills the given fraction of the sprite."""
-    everything = np.concatenate([skeleton.points, leaves.centre])
-    low, high = everything.min(axis=0), everything.max(axis=0)
+    low, high = bounds(skeleton, leaves)
     margin = leaves.length.max() / 2
     # Centre the crown by shearing with height, which leaves the foot in place.
     shear = -(low[0] + high[0]) / 2 / (0.6 * high[1])

@@ -8,7 +8,7 @@ from typing import Self
 import numpy as np
 
 from framelens.gl.seam import gl
-from framelens.gl.state import attrib, front_faces, matrix
+from framelens.gl.state import front_faces
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
 from landscape.elements.best.animals.fur import Fur
@@ -16,7 +16,7 @@ from landscape.elements.element import Site
 from landscape.elements.ground import Ground
 from landscape.elements.rabbit import cylindrical, rabbit_obstacles, standing
 from landscape.elements.settings import Settings
-from landscape.elements.sun import direction, lit, painted
+from landscape.elements.sun import direction, painted
 from landscape.files.assets import Assets
 from landscape.files.cache import content
 from landscape.frame import Frame
@@ -84,13 +84,7 @@ class FineRabbit(FineAnimal):
         seen = self._fur.seen(frame.pixels / away)
         if not seen:
             return
-        groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
-        with matrix(), attrib(groups):
-            gl.glTranslatef(*self.place)
-            gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
-            lit(self.settings.shading)
-            self._set_material()
-            gl.glEnable(gl.GL_TEXTURE_2D)
+        with self._lit_in_place():
             with front_faces(self._closed and self.settings.camera.cull):
                 self._fur.draw(seen)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)

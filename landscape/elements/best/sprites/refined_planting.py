@@ -34,6 +34,7 @@ from landscape.elements.planting import (
     Chance,
     Sprites,
     clear_land,
+    counts_and_sizes,
     random_sprites,
     scatter,
     site,
@@ -65,12 +66,10 @@ class TintedSprites(Sprites):
 
 def planted_from(settings: Settings) -> tuple[object, ...]:
     """Return the settings that the sprites' places, sizes, kinds and tints depend on."""
-    groups = settings.trees, settings.deer, settings.plants
-    sizes = [(group.count, group.size_min, group.size_max) for group in groups]
     species = settings.trees.species, settings.plants.species, settings.deer.species
     variety = settings.trees.grouped, settings.trees.variety, settings.deer.variety
     colours = settings.ground.large_texture, settings.ground.texture_size
-    return (*sizes, *species, *variety, *colours, *site(settings))
+    return (*counts_and_sizes(settings), *species, *variety, *colours, *site(settings))
 
 
 def planted_by_file(
