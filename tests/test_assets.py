@@ -41,7 +41,7 @@ def studio() -> Any:
 # ---- the shipped assets -----------------------------------------------------------------------
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_the_shipped_assets_pass_every_check() -> None:
     found = list(check())
     assert len(found) > 90
@@ -226,7 +226,7 @@ def test_an_image_of_the_wrong_size_or_mode_is_found(tmp_path: Path) -> None:
     assert found == {("plant.png", "size"), ("blade.png", "size")}
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_exceeding_the_total_size_is_found(tmp_path: Path) -> None:
     shutil.copy(shipped() / "dragon.ply", tmp_path)
     with (tmp_path / "dragon.ply").open("ab") as file:
@@ -254,6 +254,7 @@ def test_a_detail_that_darkens_is_found(tmp_path: Path) -> None:
     assert failures(tmp_path, checks.check_tiles) == {("ground_detail.png", "mean")}
 
 
+@pytest.mark.seldom(3)
 def test_a_horizon_without_the_fog_colour_is_found(tmp_path: Path) -> None:
     wall = np.asarray(Image.open(shipped() / "sky_north.png")).copy()
     wall[-1] += 9
@@ -264,7 +265,7 @@ def test_a_horizon_without_the_fog_colour_is_found(tmp_path: Path) -> None:
     }
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=5)
 def test_a_step_along_an_edge_of_coded_sky_is_found_and_noise_of_coding_is_not(
     tmp_path: Path,
 ) -> None:
@@ -348,7 +349,7 @@ def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
         assert difference.max() <= 1 and (difference > 0).mean() < 1e-3
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 def test_the_hall_s_light_was_baked_from_the_hall_as_it_is(
     studio: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -385,7 +386,7 @@ def test_a_jpeg_keeps_its_colours_at_full_resolution(studio: Any) -> None:
     assert off.mean() < 8, "half the colours would be lost in columns of one texel"
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 def test_two_processes_make_the_same_bytes_as_one(studio: Any) -> None:
     names = ["blade.png", "castle_light.png"]
     assert dict(studio.make_all(names)) == {name: studio.make(name) for name in names}
@@ -428,7 +429,7 @@ def test_an_interrupted_write_keeps_the_old_file(
     assert path.read_bytes() == b"old"
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_a_build_interrupted_by_the_user_ends_at_once_and_leaves_nothing(
     studio: Any, tmp_path: Path

@@ -478,6 +478,7 @@ wait()
     assert report.error is not None and report.error["word"] == "much"
 
 
+@pytest.mark.seldom(5, first=2)
 def test_the_process_of_which_programs_are_copies_has_nothing_of_those_before(
     grader: Grader, home: Path
 ) -> None:
@@ -651,6 +652,7 @@ def test_python_refuses_it_by_itself(name: str, python_grader: Grader, home: Pat
     assert files(home) == before
 
 
+@pytest.mark.seldom(3)
 def test_temporary_files_are_allowed_to_every_program(grader: Grader, home: Path) -> None:
     code = """
 import tempfile
@@ -690,6 +692,7 @@ def forged(**changes: Any) -> stream.Answer:
     return answer | changes, [memoryview(b"")]
 
 
+@pytest.mark.seldom(5, first=2)
 def test_lists_that_double_again_and_again_are_no_evidence(tmp_path: Path) -> None:
     lists = [[0, [0, []]]] + [[0, [0, [], {"inside": [n, n]}]] for n in range(60)]
     answer = forged(lists=lists, setup=[0, [0, [], {"inside": [60]}]])

@@ -60,7 +60,7 @@ def test_the_net_moves(stage: Stage) -> None:
     assert moved.max() > 30 and moved[depths(island) < -0.02].max() <= 1
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 def test_with_too_few_texture_units_the_bed_is_drawn_without_the_net(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

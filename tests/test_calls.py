@@ -427,7 +427,7 @@ def test_arguments_become_json() -> None:
     assert plain(object()) == "object"
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 def test_only_the_gl_rooms_import_opengl() -> None:
     found = set()
     for path in (*ROOT.glob("framelens/**/*.py"), *ROOT.glob("landscape/**/*.py")):

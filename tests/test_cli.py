@@ -96,7 +96,7 @@ def imported(*words: str) -> set[str]:
     return set(done.stdout.splitlines()[-1].split())
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_a_command_imports_neither_another_one_nor_what_that_needs() -> None:
     modules = imported("settings", "fog")
     assert "landscape.commands.settings" in modules
@@ -317,7 +317,7 @@ def test_a_setting_that_means_something_else_in_another_scene_is_listed_for_each
     assert "time of island:" in times and "time of voxel:" in times
 
 
-@pytest.mark.seldom(5, first=3)
+@pytest.mark.seldom(10, first=3)
 @pytest.mark.parametrize("name", ["shadow", "reflection", "refraction", "water"])
 def test_trace_shows_each_pass_of_the_voxel_island(name: str, shell: Shell) -> None:
     few = ("--set=voxel.regions=4", "--size", "64x48")
@@ -353,7 +353,7 @@ def test_settings_come_from_the_preset_then_the_file_then_the_command_line(shell
     assert any(line.split()[:2] == ["fog.density", "0.25"] for line in text.splitlines())
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(8, first=3)
 @pytest.mark.parametrize("view", ["fig35f", "fig6a"])
 def test_render_and_trace_take_the_preset_that_views_says(shell: Shell, view: str) -> None:
     entries = {entry["name"]: entry for entry in shell("views", "--json").json()}
@@ -420,7 +420,7 @@ def test_trace_can_be_limited_to_one_element_and_printed_as_text(shell: Shell) -
 # --- process behaviour -------------------------------------------------------------------------
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(8, first=1)
 def test_the_module_and_the_console_script_do_the_same() -> None:
     script = Path(sys.executable).with_name("landscape")
     if not script.exists():
@@ -437,7 +437,7 @@ def test_bad_input_gives_the_process_status_2_and_one_line() -> None:
     assert done.err == "landscape: view 'fig99z': no such view; `landscape views` lists them all\n"
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 def test_a_closed_pipe_on_standard_output_is_not_an_error() -> None:
     read, write = os.pipe()
     os.close(read)
@@ -451,7 +451,7 @@ def test_a_closed_pipe_on_standard_output_is_not_an_error() -> None:
     assert (done.returncode, done.stderr) == (0, b"")
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 @pytest.mark.posix_only("it has no device that is full")
 def test_a_full_disk_on_standard_output_gives_one_error_line() -> None:
     if not os.path.exists("/dev/full"):
@@ -464,7 +464,7 @@ def test_a_full_disk_on_standard_output_gives_one_error_line() -> None:
     assert done.stderr == b"landscape: standard output: No space left on device\n"
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 @pytest.mark.posix_only("a shell of POSIX closes streams")
 def test_closed_standard_streams_are_tolerated(tmp_path: Path) -> None:
     line = f"{sys.executable} -m landscape render fig35a fig35b {' '.join(SMALL)} >&- 2>&-"
@@ -480,7 +480,7 @@ def test_a_name_that_the_terminal_cannot_encode_is_escaped(tmp_path: Path) -> No
     assert done.out == "\\xe9.png\n" and pictures(tmp_path) == ["é.png"]
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_while_rendering_many_views_leaves_only_complete_files(tmp_path: Path) -> None:
     words = ["render", *NINE, "--preset", "2006", "--size", "640x480", "--out", "many"]
@@ -517,7 +517,7 @@ def test_a_quiet_run_prints_nothing(quiet: str, shell: Shell) -> None:
     assert pictures(shell.cwd) == ["fig35a.png"]
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 @pytest.mark.posix_only("Python has no pseudo-terminals there")
 @pytest.mark.parametrize("quiet", [False, True])
 def test_progress_is_shown_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Path) -> None:
@@ -589,7 +589,7 @@ def rendered(shell: Shell, *arguments: str) -> bytes:
     return (shell.cwd / "x.png").read_bytes()
 
 
-@pytest.mark.seldom(5, first=1)
+@pytest.mark.seldom(10, first=1)
 @pytest.mark.parametrize(
     "change",
     [
@@ -617,7 +617,7 @@ def test_the_seed_changes_the_trees_but_not_the_ground(shell: Shell) -> None:
     assert picture("ground", "1") == picture("ground", "2")
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_a_pose_may_start_with_a_minus_sign_and_kt_may_be_negative(shell: Shell) -> None:
     west = rendered(shell, *SMALL, "--pose", "-3,2,20,90,-5", "--kt", "-4")
     assert west == rendered(shell, *SMALL, "--pose=-3,2,20,90,-5", "--kt=-4")
@@ -701,7 +701,7 @@ print("good")
 """
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_the_python_interface_works_as_documented() -> None:
     done = python(EXAMPLE)
     assert (done.status, done.out, done.err) == (0, "good\n", "")

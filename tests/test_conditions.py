@@ -115,7 +115,7 @@ def test_a_walk_tells_it_but_takes_the_settings_of_the_walker(shell: Shell) -> N
     assert done.err == "landscape: setting grass.count: ignored while grass is not shown\n"
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 @pytest.mark.parametrize(
     "words",
     [
@@ -173,7 +173,7 @@ def reached(start: str) -> set[Path]:
     return files
 
 
-@pytest.mark.seldom(5, first=2)
+@pytest.mark.seldom(10, first=7)
 @each("name", SCENES)
 def test_a_scene_offers_no_setting_that_nothing_in_it_reads(name: str) -> None:
     kind = scene(name)

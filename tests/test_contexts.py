@@ -220,7 +220,7 @@ except NoOpenGLError as error:
     assert said.startswith("this OpenGL is ") and "for software, install" in said
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_every_command_takes_software_for_a_backend(tmp_path: Path) -> None:
     for words in (["render", "fig35a", "--size", "32x24", "--only", "sky"], ["lesson", "triangle"]):
         out = tmp_path / f"{words[0]}.png"
@@ -378,7 +378,7 @@ sys.exit(main(sys.argv[1:]))
     assert "freeglut64.vc14.dll" in advice.install("glut", on="windows")
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 @linux
 @pytest.mark.window
 def test_the_walk_needs_no_screen_where_egl_draws(tmp_path: Path) -> None:

@@ -146,7 +146,7 @@ CHECKS = {
 }
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 @every_row
 def test_a_command_parses_and_names_only_what_exists(row: Row) -> None:
     if not row.words:

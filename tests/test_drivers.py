@@ -68,7 +68,7 @@ def is_sound(one: Pictures, other: Pictures) -> bool:
 
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("units", [4, 3, 2, 1])
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(8)
 def test_with_few_texture_units_no_more_are_used_and_the_place_is_the_same(
     place: str, units: int, whole: dict[str, Pictures], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -83,7 +83,7 @@ def test_with_few_texture_units_no_more_are_used_and_the_place_is_the_same(
         assert line.startswith("landscape: ") and line.endswith(f" texture units of {units}")
 
 
-@pytest.mark.seldom(5, first=2)
+@pytest.mark.seldom(10, first=2)
 def test_the_sea_is_drawn_in_four_texture_units_with_the_pixels_of_eight(
     whole: dict[str, Pictures],
 ) -> None:
@@ -100,7 +100,7 @@ def test_the_sea_is_drawn_in_four_texture_units_with_the_pixels_of_eight(
     np.testing.assert_array_equal(*drawn)
 
 
-@pytest.mark.sweep(12)
+@pytest.mark.sweep(24)
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("name", sorted(KNOWN))
 def test_without_an_extension_nothing_of_it_is_used_and_a_line_says_what_is_off(
@@ -116,7 +116,7 @@ def test_without_an_extension_nothing_of_it_is_used_and_a_line_says_what_is_off(
         assert line.endswith((*texts, " texture units of 1"))
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(8, first=5)
 @pytest.mark.parametrize("place", PLACES)
 def test_with_opengl_1_1_alone_everything_opens(place: str, whole: dict[str, Pictures]) -> None:
     driver = Driver(OLD, KNOWN, units=1, widest=1.0)
@@ -124,7 +124,7 @@ def test_with_opengl_1_1_alone_everything_opens(place: str, whole: dict[str, Pic
     assert driver.refused == [] and is_sound(drawn, whole[place])
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_where_lines_are_thin_none_wider_is_asked_for(whole: dict[str, Pictures]) -> None:
     driver = Driver(widest=1.0)
     drawn = pictures(driver, "hall")
@@ -141,7 +141,7 @@ def unasked(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     yield
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(8)
 @pytest.mark.usefixtures("unasked")
 @pytest.mark.parametrize(
     "driver",
@@ -177,7 +177,7 @@ def test_a_driver_refuses_what_it_lacks_and_nothing_else(stage: Any) -> None:
     assert Driver((1, 5), frozenset({"GL_ARB_texture_non_power_of_two"})).objection(*sides)
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_the_gate_is_open_with_few_texture_units_too() -> None:
     drawn = {}
     for units in (8, 3):

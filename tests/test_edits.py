@@ -228,7 +228,7 @@ def change_source(patch: pytest.MonkeyPatch, name: str, old: str, new: str) -> N
 
 
 @pytest.mark.parametrize("name", CASES)
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(6)
 def test_an_edit_gives_the_bytes_of_the_program_with_that_constant_changed(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -301,7 +301,7 @@ def test_an_edit_whose_line_is_gone_from_the_file_is_found_by_its_function(
     assert edits.missed() == []
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 def test_edits_that_find_no_call_are_told_by_the_commands(density: Located, tmp_path: Path) -> None:
     path = tmp_path / "edits.json"
     write([density.edit(1, 0.4)], path)

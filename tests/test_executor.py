@@ -109,7 +109,7 @@ def test_an_exception_ends_the_processes_at_once() -> None:
     _wait_for_the_end_of_all_but(before)
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=5)
 def test_a_process_that_sends_a_large_result_ends_as_well() -> None:
     for _ in range(3):
         with pytest.raises(KeyboardInterrupt), executor(2) as workers:

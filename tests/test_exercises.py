@@ -48,7 +48,7 @@ def hints(report: Report) -> list[Hint]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(7)
+@pytest.mark.sweep(14)
 def test_all_solutions_pass_and_the_start_does_not(
     name: str, grader: Grader, todays: Todays, pytestconfig: pytest.Config
 ) -> None:
@@ -66,7 +66,7 @@ def test_all_solutions_pass_and_the_start_does_not(
     assert report.error is None and len(failures(report)) == 1
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_each_mistake_still_fits_its_solution() -> None:
     for name in NAMES:
         code = solved(name)
@@ -75,7 +75,7 @@ def test_each_mistake_still_fits_its_solution() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(9, first=4)
+@pytest.mark.sweep(18, first=4)
 def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
     name: str, grader: Grader, pytestconfig: pytest.Config
 ) -> None:
@@ -111,7 +111,7 @@ ONLY_FIRST = """        if glfw.get_time() > 0:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(9)
+@pytest.mark.sweep(18)
 def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame(
     name: str, grader: Grader, tmp_path: Path
 ) -> None:
@@ -170,7 +170,7 @@ def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
     assert f": {region}. " in hints(report)[0].written(str)
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(8, first=4)
 @each("name", NAMES)
 def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> None:
     found = exercise(name)
@@ -204,7 +204,7 @@ def test_a_hint_names_the_students_own_line(grader: Grader, tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(8)
 def test_the_task_and_the_hints_are_in_french_as_well(name: str, grader: Grader) -> None:
     french = exercise(name).translate.to("fr")
     written = start(exercise(name), "fr")

@@ -66,7 +66,7 @@ def test_without_the_fine_heights_the_bmp_is_read(tmp_path: Path) -> None:
     assert np.abs(exchange.read(tmp_path).image - environment.image).max() <= 0.5
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 @pytest.mark.parametrize(
     ("name", "content", "said"),
     [
@@ -128,7 +128,7 @@ def test_results_are_ranked_for_each_environment_by_frames_a_second(tmp_path: Pa
     assert [line.rsplit(" ", 1)[1] for line in first[2:]] == ["fast.json", "slow.json"]
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(8, first=2)
 def test_a_benchmark_s_result_can_be_ranked(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -151,7 +151,7 @@ def test_what_is_no_result_is_not_ranked(content: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("mode", ["lines", "filled"])
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(8, first=7)
 def test_a_flight_keeps_no_memory_from_frame_to_frame(mode: str) -> None:
     from landscape.settings.declare import with_settings
 

@@ -45,7 +45,7 @@ def look(field: HeightField, camera: Camera, **changes: object) -> np.ndarray:
     return frame.draw(field, camera, settings, SIZE).picture.astype(int)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(8, first=1)
 def test_a_frame_is_opaque_and_has_the_sky_above_and_the_ground_below(red: str) -> None:
     settings = with_settings(Settings(), SMALL | {"filled.image": red, "filled.sea": 0})
     drawn = frame.draw(hills(), Camera(20, 20, 40), settings, SIZE)
@@ -151,7 +151,7 @@ def test_an_eye_below_the_water_is_lifted_above_it() -> None:
     assert np.diff(heights).min() >= 0 and np.diff(heights).max() < 0.051
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(8, first=6)
 def test_ground_before_the_near_plane_is_drawn_where_it_is(tmp_path: Path) -> None:
     # A slope that rises before the eye, which is less than the near plane from it.
     field = height_field(
@@ -250,7 +250,7 @@ def test_a_field_is_resampled_without_a_shift() -> None:
         assert np.abs(ground.resampled(field, size) - expected).max() < 0.06
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(8, first=1)
 def test_an_unseen_picture_of_the_ground_comes_from_the_cache(tmp_path, monkeypatch) -> None:
     from landscape.flyover import look as looks
 

@@ -33,7 +33,7 @@ def differing(ends: np.ndarray, size: tuple[int, int]) -> list[list[int]]:
     return wrong
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 def test_lines_are_those_of_the_loop_in_all_octants_clipped_and_degenerate() -> None:
     random = np.random.default_rng(5)
     ends = np.concatenate(

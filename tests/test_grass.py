@@ -131,7 +131,7 @@ def test_as_many_blades_grow_as_asked_for(sow) -> None:
     assert len(everything(sow(small_land, count=0), 20).positions) == 0
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 def test_blades_are_spread_evenly_over_flat_land(sow) -> None:
     places = everything(sow(count=200_000)).positions
     counts = np.histogram2d(places[:, 0], places[:, 2], bins=20, range=[[0, 40], [0, 40]])[0]
@@ -222,7 +222,7 @@ def test_cells_behind_or_beyond_the_radius_are_left_out() -> None:
     assert visible_cells(frame, centres, 4.0).tolist() == [False, False, True, False]
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(8, first=7)
 def test_cells_select_every_visible_blade_that_testing_each_blade_finds(sow) -> None:
     grass = sow()
     places = everything(grass).positions

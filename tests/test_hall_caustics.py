@@ -89,6 +89,7 @@ def test_generated_coordinates_are_the_planes_times_the_place(fresh: Fresh) -> N
         assert np.allclose(found, meant @ planes(values).T, atol=1e-4), how
 
 
+@pytest.mark.seldom(5)
 def test_both_ways_to_multiply_the_bed_give_the_same_picture(stage: Stage, halls) -> None:
     switches = "caustics.doubled", "caustics.smooth", "caustics.sunlit"
     for more in ({}, *({each: False} for each in switches)):
@@ -181,7 +182,7 @@ def test_most_light_is_thrown_away_from_the_sun() -> None:
     assert away > 2 * towards > 0
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(8, first=3)
 def test_no_mesh_reaches_beyond_the_light() -> None:
     for _, mesh in lit_meshes(SUN):
         assert mesh.triangles.max() < len(mesh.vertices)

@@ -93,7 +93,7 @@ def test_in_8_bits_the_roundings_of_the_samples_add_up(view: Offscreen) -> None:
     assert np.abs(mean_of(view, grey, False) - 64).max() < 0.1
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 def test_a_mean_of_equal_samples_is_the_picture_itself(view: Offscreen) -> None:
     sharp = picture(view, MILL, blur_samples=1)
     still = picture(view, MILL, blur_samples=16, blur_shutter=0.0)

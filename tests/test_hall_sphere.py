@@ -88,7 +88,7 @@ def pictures(draw: HallPictures, **statue: Any) -> list[np.ndarray]:
     return [draw(pose, 20.0, SHOWN, settings) for pose in AROUND]
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:
@@ -97,6 +97,7 @@ def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides(
         assert np.abs(cube - sphere).mean() < 3.0
 
 
+@pytest.mark.seldom(5, first=4)
 def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:
@@ -105,7 +106,7 @@ def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer(
     assert changes[0] == 0.0 and min(changes[1:]) > 0.5
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 def test_without_cube_maps_the_statue_stays_bronze_and_one_line_says_why(
     stage: Stage,
     hall_pictures: HallPictures,

@@ -36,6 +36,7 @@ def expected(plain: np.ndarray, brightness: float, contrast: float) -> np.ndarra
     return np.clip(np.round(plain * contrast + 255 * brightness), 0, 255)
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.parametrize("method", ["blend", "pixels"])
 @pytest.mark.parametrize(
     ("brightness", "contrast"),
@@ -93,7 +94,7 @@ def test_doublings_multiply_to_the_contrast_and_none_is_above_2() -> None:
         assert max(doublings(scale)) <= 2.0
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=5)
 def test_flames_shine_undimmed_before_dimmed_surroundings(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:

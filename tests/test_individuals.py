@@ -97,6 +97,7 @@ def various(the_stage: Stage, tmp_path_factory: pytest.TempPathFactory):
         yield made
 
 
+@pytest.mark.seldom(3)
 def test_a_shadow_darkens_what_is_around_the_feet_of_what_is_near(
     stage: Stage, various: RefinedSprites
 ) -> None:

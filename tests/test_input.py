@@ -26,6 +26,7 @@ def shell(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) -> Shell:
     return the_shell
 
 
+@pytest.mark.seldom(5, first=3)
 @pytest.mark.posix_only("it has no device such as /dev/zero")
 @pytest.mark.parametrize(
     "words",
@@ -178,7 +179,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.seldom(5, first=3)
+@pytest.mark.seldom(10, first=8)
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_mesh_made_to_fill_the_memory_takes_little(name: str, tmp_path: Path) -> None:
     file, data, reason = HOSTILE[name]
@@ -195,7 +196,7 @@ def test_a_mesh_made_to_fill_the_memory_takes_little(name: str, tmp_path: Path) 
     assert peak < 300e6
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 def test_a_damaged_stl_gives_one_line(shell: Shell) -> None:
     (shell.cwd / "bad.stl").write_bytes(b"solid x\nfacet normal 0 0 0\n garbage")
     view = ("render", "fig35e", "--only=rabbit", "--set=rabbit.mesh=bad.stl")

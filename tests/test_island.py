@@ -206,6 +206,7 @@ def test_settings_read_at_each_frame_may_change_between_frames(
     assert (picture(stage, island, "ground", "fog") == clear).all()
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize("ornate", [False, True])
 def test_with_walk_solid_trunks_deer_and_keep_stop_a_walker(stage: Stage, ornate: bool) -> None:
     stage.enter()

@@ -156,7 +156,7 @@ def test_a_wrong_tag_is_found(tmp_path: Path) -> None:
 
 @pytest.mark.golden
 @each_lesson
-@pytest.mark.sweep(5)
+@pytest.mark.sweep(10)
 def test_a_lesson_looks_as_it_did(
     name: str, watcher: Watcher, tmp_path: Path, pytestconfig: pytest.Config, stage: object
 ) -> None:
@@ -183,7 +183,7 @@ def picture_of(name: str, watcher: Watcher, folder: Path) -> tuple[np.ndarray, s
     return np.fromfile(file, np.uint8).reshape(480, 640, 3), drawn.log[0][2]
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=5)
 @pytest.mark.parametrize("name", ["text", "matrix_stack", PRESSED[0], PRESSED[-1]])
 def test_the_picture_of_a_lesson_is_written_to_a_file(
     name: str, shell: Shell, watcher: Watcher, tmp_path: Path
@@ -197,7 +197,7 @@ def test_the_picture_of_a_lesson_is_written_to_a_file(
 
 
 @each_lesson
-@pytest.mark.sweep(12, first=1)
+@pytest.mark.sweep(24, first=1)
 def test_each_key_of_a_lesson_changes_its_picture(name: str, watcher: Watcher) -> None:
     found = lesson(name)
 
@@ -386,13 +386,14 @@ def test_what_cannot_be_done_is_told_in_one_line(
     refused(shell("lesson", *words), said)
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.posix_only("there is always a screen")
 def test_without_a_screen_a_lesson_says_how_to_see_it() -> None:
     done = landscape("lesson", "text")
     assert done.status == 3 and "--out FILE.png" in done.err and done.err.count("\n") == 1
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 @pytest.mark.posix_only("there is always a screen")
 def test_a_copied_lesson_without_a_screen_ends_with_one_line_and_does_not_abort() -> None:
     files = [lesson(name).file for name in NAMES]

@@ -17,7 +17,7 @@ from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import Mesh
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 def test_the_farther_an_animal_the_coarser_its_mesh(stage: Stage, plain_folder) -> None:
     write_ply(plain_folder / "dragon.ply", *ball())
     assets = Assets(plain_folder)

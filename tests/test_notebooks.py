@@ -105,7 +105,7 @@ def calls(source: str) -> tuple[list[str], str]:
     return magic, ast.dump(tree)
 
 
-@pytest.mark.seldom(5, first=2)
+@pytest.mark.seldom(10, first=7)
 def test_a_frame_is_shown_as_a_picture_and_asked_for_pixels_calls_and_causes() -> None:
     mirror = landscape.lesson("mirror", keys="S", size=(160, 120))
     assert mirror.picture.size == (160, 120) and mirror._repr_png_()[:4] == b"\x89PNG"
@@ -118,7 +118,7 @@ def test_a_frame_is_shown_as_a_picture_and_asked_for_pixels_calls_and_causes() -
         assert "Issue" in mirror.pixel(0, 0)._repr_html_()
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(8, first=4)
 def test_the_keys_of_a_lesson_s_picture_give_way_to_those_that_are_named() -> None:
     plain, own, named = (
         np.asarray(landscape.lesson("mirror", keys, size=(80, 60)).picture)
@@ -147,7 +147,7 @@ def test_bad_input_is_refused_before_anything_is_drawn() -> None:
             wrong()
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_a_check_shows_each_test_and_where_the_picture_differs() -> None:
     start = (TESTS.parent / "landscape/course/exercises/missing_enable/start.py").read_text("utf-8")
     found = landscape.check(start)
@@ -159,7 +159,7 @@ def test_a_check_shows_each_test_and_where_the_picture_differs() -> None:
     assert repr(found).splitlines()[0].startswith("missing_enable: ")
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_a_live_walk_takes_events_without_a_browser() -> None:
     pytest.importorskip("jupyter_rfb")
     walk = landscape.show("fig6a", size=(160, 120), live=True)

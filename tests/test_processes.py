@@ -98,7 +98,7 @@ def test_workers_end_with_their_parent(
         assert not list((tmp_path / "out").glob(".*"))
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(8)
 def test_kill_ends_a_walk_with_its_recording_complete(mark: str, tmp_path: Path) -> None:
     need_library("OSMesa")
     words = ["walk", "fig4a", "--backend", "osmesa", "--size", "64x48", "--frames", "100000"]

@@ -46,7 +46,7 @@ def write(tmp_path: Path) -> Write:
     return write
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 def test_a_program_is_watched_from_its_context_to_its_frame(watch: Watcher) -> None:
     seen = watch(PROGRAMS / "lantern.py", 2)
     backend = seen.log[0][2]
@@ -304,7 +304,7 @@ def test_a_program_finds_its_folder_its_arguments_and_the_users_files(
     assert watch(other / "main.py").calls == [["glClearColor", "0.75", "0", "0", "1"]]
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4)
 def test_calls_without_a_context_have_no_effect(watch: Watcher, write: Write) -> None:
     current, on = "glfw.make_context_current(window)\n", "glEnable(GL_SCISSOR_TEST)\n"
     draw = "glClearColor(1, 1, 1, 1)\nglScissor(0, 0, 1, 1)\nglClear(GL_COLOR_BUFFER_BIT)\n"
@@ -466,7 +466,7 @@ ENDLESS = {
 }
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 @pytest.mark.parametrize("name", ENDLESS)
 def test_a_program_that_never_ends_is_ended(watch: Watcher, tmp_path: Path, name: str) -> None:
     text, error = ENDLESS[name]
@@ -505,7 +505,7 @@ def test_a_program_cannot_swallow_its_end(watch: Watcher, write: Write) -> None:
     assert seen.error == "" and seen.log[-1] == ["ended", 2]
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 def test_a_program_is_ended_in_any_thread(tmp_path: Path) -> None:
     path = tmp_path / "endless.py"
     path.write_text("import glfw\nwhile True: pass\n")
@@ -574,7 +574,7 @@ def test_a_program_with_shaders_is_followed_with_a_notice(watch: Watcher, write:
     ]
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 def test_a_shaders_text_is_traced(write: Write) -> None:
     path = write(
         """
@@ -604,7 +604,7 @@ def test_a_core_profile_is_followed_with_a_notice(watch: Watcher, write: Write) 
     assert "asks for a core profile" in seen.notices[0]
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 @pytest.mark.parametrize("backend", ["osmesa", "egl"])
 def test_the_same_program_runs_by_osmesa_and_by_egl(tmp_path: Path, backend: str) -> None:
     need_library({"osmesa": "OSMesa", "egl": "EGL"}[backend])

@@ -52,7 +52,7 @@ def write(tmp_path: Path) -> Write:
     return write
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_the_windmill_turns_by_its_timer_and_repeats(watch: Watcher) -> None:
     first, again, still = (watch(PROGRAMS / "windmill.py", frame) for frame in (3, 3, 0))
     assert first.picture == again.picture != still.picture
@@ -317,7 +317,7 @@ def test_a_glfw_program_with_shapes_of_glut_draws_on_the_screen(
     assert seen.colours > 1
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_shapes_are_drawn_again_and_calls_are_shown_with_the_programs_lines(write: Write) -> None:
     need_library("glut")
     begin = BEGIN.replace("GLUT_DOUBLE", "GLUT_SINGLE").replace(

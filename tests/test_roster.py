@@ -189,7 +189,7 @@ CLASS = {
 }
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 def test_a_class_is_a_row_each_in_every_table(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -405,7 +405,7 @@ def test_control_characters_of_a_student_reach_no_table() -> None:
     ElementTree.fromstring(tables.as_junit([row]))
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(8, first=2)
 def test_the_command_writes_what_is_asked_for_and_nothing_where_it_cannot(tmp_path: Path) -> None:
     zipped(tmp_path / "class.zip", CLASS)
     sheet = tmp_path / "sheet.csv"

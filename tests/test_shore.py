@@ -78,7 +78,7 @@ def test_the_ground_of_2006_is_drawn_as_painted(stage: Stage, plain: Assets) -> 
     ground.release()
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 def test_the_colours_in_the_cache_are_those_of_the_heights_between_the_vertices(
     stage: Stage, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -88,7 +88,7 @@ def test_each_page_that_a_page_lists_is_written(language: str, site: Any, tmp_pa
     assert listed == set(found)
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
     site: Any, tmp_path: Path
 ) -> None:

@@ -253,7 +253,7 @@ def test_fire_crackles() -> None:
     assert np.abs(hiss).max() < 13 * rms(hiss) < np.abs(crackle).max()
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_loops_are_long_and_have_no_seam() -> None:
     room = place("hall")[0].room
     for name in (bank.SEA, bank.WIND, bank.FIRE, bank.DROPS, bank.AIR):
@@ -267,7 +267,7 @@ def test_loops_are_long_and_have_no_seam() -> None:
         assert np.abs(once.mean(axis=1)).max() < 1e-4
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_the_hall_rings_as_sabine_has_it() -> None:
     room = Room(1000.0, 700.0, 0.1)
     assert room.seconds == pytest.approx(0.161 * 1000 / 70)

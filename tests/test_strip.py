@@ -309,7 +309,7 @@ def test_a_quad_of_a_display_list_is_split_as_it_was(taped: Callable[[Taped], Ta
 SMALL = ViewFrame("fig35e", SIZE, preset="2006", only=("ground", "sky", "trees"))
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 def test_a_sheet_an_animation_and_a_page_show_every_step(tmp_path: Path) -> None:
     steps = ["clear", "ground", "sky", "trees"]
     buffers = ("color", "depth")
@@ -390,7 +390,7 @@ def test_a_frame_that_draws_nothing_has_no_steps(taped: Callable[[Taped], Tape])
     assert groups(taped(lambda: gl.glEnable(gl.GL_FOG)), "draw") == []
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 def test_the_command_writes_by_default_beside_the_user_and_refuses_what_it_does_not_know(
     tmp_path: Path,
 ) -> None:
@@ -410,7 +410,7 @@ def test_the_command_writes_by_default_beside_the_user_and_refuses_what_it_does_
     assert len(list(tmp_path.iterdir())) == 1
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4)
 def test_osmesa_and_egl_give_the_same_sheet(tmp_path: Path) -> None:
     need_library("OSMesa", "EGL")
     common = ("--preset", "2006", "--only", "sky,trees", "--size", "80x60")

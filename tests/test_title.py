@@ -223,7 +223,7 @@ context.release()
 """
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_escape_leads_back_to_the_title_and_the_walk_is_kept(tmp_path: Path) -> None:
     done = python(WALKS, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
     assert done.status == 0, done.err
@@ -279,7 +279,7 @@ print(json.dumps(seen))
 """
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4)
 def test_who_leaves_while_a_scene_is_built_need_not_wait_until_it_is_there(tmp_path: Path) -> None:
     done = python(LEAVES, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
     assert done.status == 0, done.err

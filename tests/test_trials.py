@@ -96,7 +96,7 @@ def failures(report: Report) -> dict[str, Hint]:
     return {result.test.key: result.hint for result in report.results if result.hint is not None}
 
 
-@pytest.mark.seldom(5, first=2)
+@pytest.mark.seldom(10, first=2)
 @pytest.mark.parametrize("mistake", WRONG)
 def test_a_mistake_that_no_announced_frame_shows_is_found_elsewhere(
     mistake: str, grader: Grader, tmp_path: Path
@@ -109,7 +109,7 @@ def test_a_mistake_that_no_announced_frame_shows_is_found_elsewhere(
     assert failed.hint is not None and words in failed.hint.written(str)
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 @pytest.mark.parametrize("way", OTHERWISE)
 def test_another_way_to_a_right_picture_passes(way: str, grader: Grader, tmp_path: Path) -> None:
     name, changes, tests = OTHERWISE[way]
@@ -127,7 +127,7 @@ def test_state_that_is_set_in_a_display_list_is_not_told_of(grader: Grader, tmp_
     assert failures(report) and all(hint.text == UNFOLLOWED for hint in failures(report).values())
 
 
-@pytest.mark.seldom(5, first=1)
+@pytest.mark.seldom(10, first=6)
 def test_what_the_task_names_is_asked_for_though_the_picture_is_right(
     grader: Grader, tmp_path: Path
 ) -> None:

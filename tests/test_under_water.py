@@ -76,7 +76,7 @@ def test_the_sun_under_water_is_bent_towards_the_zenith_by_snell_s_law() -> None
     assert sun[0] == pytest.approx(INDEX * below[0]) and below[1] > sun[1]
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_the_net_of_light_lies_on_bed_and_dragon_and_keeps_their_mean(
     stage: Stage, islands: dict[bool, Island]
 ) -> None:

@@ -315,7 +315,7 @@ def unit_faces(mesh: RegionMesh, sea: int) -> dict[tuple, tuple]:
     return found
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
     rng = np.random.default_rng(5)
     side, size = 20, 10
@@ -348,7 +348,7 @@ def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
     )
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_anew() -> None:
     values = {"voxel.regions": 2, "voxel.region_size": 16, "shadow.size": 512, "voxel.cull": False}
     with Offscreen((96, 72), None, values, "auto", 0, place="voxel") as drawn:
@@ -481,7 +481,7 @@ while True:
 """
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 def test_a_world_being_saved_when_the_program_is_killed_is_never_lost(tmp_path: Path) -> None:
     path = tmp_path / "my.world"
     words = [sys.executable, "-c", SAVING, str(path)]
@@ -505,7 +505,7 @@ def played(regions: int, region_size: int) -> Iterator[Any]:
             yield drawn.scene
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=4)
 def test_a_saved_world_is_for_the_same_columns_however_they_are_divided_into_regions() -> None:
     with played(2, 20) as one:
         one.land.change({(19, 20, 5): block("lamp"), (20, 20, 5): AIR})
@@ -569,7 +569,7 @@ def test_two_walks_with_one_file_keep_what_both_have_changed(tmp_path: Path) -> 
         assert {each.name for each in tmp_path.iterdir()} == {"my.world", "my-0001.world"}
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=3)
 @pytest.mark.parametrize("content", [b"", b"notes", None])
 def test_a_world_file_that_became_something_else_in_the_meantime_is_not_overwritten(
     tmp_path: Path, content: bytes | None
@@ -593,7 +593,7 @@ def test_a_world_file_that_became_something_else_in_the_meantime_is_not_overwrit
         assert (tmp_path / "my-0001.world").read_bytes() == scene.saved()
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(8)
 def test_hundreds_of_thousands_of_changed_blocks_are_restored_within_the_bounds() -> None:
     with played(4, 40) as scene:
         world = scene.land.world
@@ -728,14 +728,14 @@ def render(folder: Path, name: str, *words: str) -> np.ndarray:
     return np.asarray(Image.open(folder / name)).astype(int)
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 def test_a_saved_world_is_rendered_with_its_changes(walked: dict[str, Any]) -> None:
     folder = walked["folder"]
     with_it = render(folder, "a.png", "--world", str(folder / "my.world"))
     assert (np.abs(with_it - render(folder, "b.png")).max(axis=-1) > 8).sum() > 20
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=2)
 @pytest.mark.parametrize("view", ["voxel", "island"])
 def test_a_walk_refuses_what_is_no_world_and_leaves_it_alone(view: str, tmp_path: Path) -> None:
     path = tmp_path / "notes.txt"

@@ -111,7 +111,7 @@ def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
         buffer.release()
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 def test_without_shadows_faces_are_lit_as_if_there_were_none(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -188,7 +188,7 @@ POSES = {
 }
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 def test_odd_places_are_drawn_without_a_word(
     stage: Stage, recwarn: pytest.WarningsRecorder, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -236,7 +236,7 @@ def test_every_pass_leaves_the_state_as_a_frame_without_it_does(stage: Stage, na
     assert not found
 
 
-@pytest.mark.seldom(2, first=1)
+@pytest.mark.seldom(4, first=1)
 def test_a_large_world_whose_meshes_are_packed_looks_like_a_small_one(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -283,7 +283,7 @@ def test_a_packed_mesh_takes_a_fifth_of_its_vertices_and_is_unpacked_as_it_was()
         np.testing.assert_array_equal(again.vertices, mesh.vertices)
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_a_region_and_a_land_that_do_not_fit_in_memory_are_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

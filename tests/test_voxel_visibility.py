@@ -117,7 +117,7 @@ def test_distances_are_those_to_the_nearest_point_of_a_box() -> None:
     assert distances(low, high, np.array([4.0, 0.5, 5.0])) == pytest.approx([0.0])
 
 
-@pytest.mark.seldom(5)
+@pytest.mark.seldom(10, first=5)
 def test_no_visible_region_and_no_visible_direction_is_culled() -> None:
     """Drawn with culling and without, random views are equal: what hills hide, too."""
     rng = np.random.default_rng(4)

@@ -158,7 +158,7 @@ def test_walters_model_bends_lines_of_sight_by_snells_law() -> None:
     assert (refracted(points, ways, away, -depth, 0.0, 1.0) == points).all()  # on land
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_from_straight_above_both_refractions_show_the_same() -> None:
     pictures = []
     for bending in ("flat", "walter"):

@@ -139,7 +139,7 @@ def test_a_path_that_cannot_be_flown_is_refused(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 def test_the_command_flies_along_a_path() -> None:
     words = ["fig35a", "--path", "canyon", "--size", "64x48", "--only", "ground", "--frames", "2"]
     words += ["--set=ground.texture_size=256", "--set=ground.stones=500"]

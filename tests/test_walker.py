@@ -160,7 +160,7 @@ def test_the_obstacles_stand_where_opengl_draws_the_walls():
     assert min(o.gap(CASTLE.x, CASTLE.z)[0] for o in obstacles) == pytest.approx(0.5 - 0.045)
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 @pytest.mark.parametrize("inside", [False, True])
 def test_no_random_walk_crosses_a_wall(inside):
     obstacles, field = castle_obstacles(CASTLE, BASE), flat(BASE)
@@ -266,7 +266,7 @@ def test_flight_follows_the_line_of_sight_both_ways_and_up():
     assert moved == pytest.approx(reach)
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(6, first=5)
 def test_no_random_flight_enters_the_ground_the_water_or_the_castle():
     field, obstacles = hills(3), castle_obstacles(CASTLE, 2.0)
     rng = np.random.default_rng(5)

@@ -171,7 +171,7 @@ def test_the_finer_light_map_has_the_coarse_one_s_light_at_every_second_texel() 
     assert np.allclose(fine[1, 1], coarse[:2, :2].mean(axis=(0, 1)))
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(8, first=2)
 def test_every_vertex_finds_its_own_weathered_light() -> None:
     mesh, strips = ornate_masonry(3.0)
     picture, coordinates = weathering.worn_light_map(mesh, strips, Sun(), -160.0, 0.0)
@@ -298,7 +298,7 @@ def test_the_disc_is_dark_at_its_edge_and_the_patch_where_it_ends() -> None:
         assert (vertices[:, 2] < 0.01).all()
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6)
 def test_the_glow_brightens_what_is_round_a_flame(stage: Stage, plain: Assets) -> None:
     keys = {"castle__ornate": True, "castle__torches": 1.0}
     dull, bright = (drawn(stage, plain, castle__glow=glow, **keys) for glow in (0.01, 0.8))
@@ -316,7 +316,7 @@ def test_the_grain_is_mid_grey_on_average_at_every_mip_level_and_repeats() -> No
     assert seam < 1.3 * np.abs(np.diff(image, axis=0)).mean()
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(8, first=2)
 def test_the_grain_changes_the_walls_close_by_and_not_their_mean(
     stage: Stage, plain: Assets
 ) -> None:

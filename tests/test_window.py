@@ -266,7 +266,7 @@ print(json.dumps([hint, seen]))
 """
 
 
-@pytest.mark.seldom(5)
+@pytest.mark.seldom(10, first=5)
 def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
     done = python(STILLS, json.dumps(SMALL_BEST), env=environment())
     assert done.status == 0, done.err
@@ -325,7 +325,7 @@ def test_a_replay_gives_the_same_pixels_and_poses_in_every_frame(scripted) -> No
     assert scripted["again"] == scripted["live"]
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(8, first=4)
 def test_a_replay_from_the_command_line_records_itself_again(scripted, tmp_path: Path) -> None:
     first, second = scripted["folder"] / "a.jsonl", tmp_path / "b.jsonl"
     done = landscape("walk", "--backend", "osmesa", "--replay", first, "--record", second)
@@ -357,7 +357,7 @@ def test_a_replay_keeps_to_the_size_that_is_asked_for(tmp_path: Path) -> None:
     assert [tick.intent for tick in ticks] == intents[:12]
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_the_language_of_the_window_can_be_asked_for(tmp_path: Path) -> None:
     path = tmp_path / "b.jsonl"
     english = short_walk(tmp_path / "a.jsonl", [Tick(0.2, Intent(), (), (320, 240))])
@@ -370,7 +370,7 @@ def test_the_language_of_the_window_can_be_asked_for(tmp_path: Path) -> None:
         assert recording.read(path)[0].language == "fr"
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path) -> None:
     need_library("OSMesa")
@@ -393,7 +393,7 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
     assert [p.name for p in tmp_path.iterdir()] == ["a.jsonl"]
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 @pytest.mark.parametrize(
     ("words", "wanted"),
     [
@@ -491,7 +491,7 @@ def screen() -> Iterator[dict[str, str]]:
         end(server)
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(6, first=1)
 def test_a_full_screen_replay_is_drawn_at_the_size_of_the_screen(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -526,7 +526,7 @@ def walked(plan: Plan, ticks: list[Tick]) -> list[Walker]:
     return walkers
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(8, first=6)
 def test_f11_in_a_walk_that_began_full_screen_comes_back_to_its_size(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -550,7 +550,7 @@ def test_f11_in_a_walk_that_began_full_screen_comes_back_to_its_size(
         process.wait()
 
 
-@pytest.mark.seldom(5)
+@pytest.mark.seldom(10, first=5)
 def test_real_key_events_walk_turn_and_strike(screen: dict[str, str], tmp_path: Path) -> None:
     path = tmp_path / "walk.jsonl"
     words = ["walk", "fig35b", "--size", "320x240", "--frames", "5000", "--record", str(path)]
@@ -707,7 +707,7 @@ print(json.dumps(seen))
 """
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4, first=2)
 def test_the_help_and_what_is_opened_beside_it_never_lie_over_each_other() -> None:
     done = python(OVERLAYS, env=environment(LANG="C"))
     assert done.status == 0, done.err
@@ -719,7 +719,7 @@ def test_the_help_and_what_is_opened_beside_it_never_lie_over_each_other() -> No
     assert seen[-1][2] == "nothing to save here"
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(6, first=3)
 def test_the_title_is_met_in_a_window_and_one_key_leaves_it(
     screen: dict[str, str], tmp_path: Path
 ) -> None:

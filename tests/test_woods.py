@@ -79,7 +79,7 @@ def grown(**changes: Any) -> TintedSprites:
     return refine({"plants"}, **{**given, "plants__species": 5, **changes})
 
 
-@pytest.mark.seldom(2)
+@pytest.mark.seldom(4)
 def test_one_species_is_the_fern_of_2006_and_more_are_as_many_herbs() -> None:
     assert set(grown(plants__species=1).cells) == {PLANT}
     for species in (2, 3, 5):
