@@ -36,7 +36,7 @@ class Identity(Protocol):
         """Return in which words another differs from what is expected; "" if it does not."""
 
 
-Who = Callable[[str], Any]
+Who = Callable[[str], Identity]
 """A function of a module that returns the Identity of this process, with an OpenGL backend."""
 
 
@@ -72,13 +72,15 @@ class Engine(Executor):
         self._send(asked, (function, arguments, named))
         return asked
 
-    def _send(self, asked: "Future[Any]", task: tuple[Any, ...]) -> None:
+    def _send(self, asked: "Future[Any]", task: tuple[object, ...]) -> None:
         """Hand a task to the cluster, and its outcome to the future that was asked for."""
         inner = self._executor.submit(work, self._expected, self._who, *task)
         inner.add_done_callback(partial(self._arrived, asked, task))
         asked.add_done_callback(lambda done: inner.cancel() if done.cancelled() else None)
 
-    def _arrived(self, asked: "Future[Any]", task: tuple[Any, ...], inner: "Future[Any]") -> None:
+    def _arrived(
+        self, asked: "Future[Any]", task: tuple[object, ...], inner: "Future[Any]"
+    ) -> None:
         """Take the outcome of a task."""
         if asked.cancelled():
             return

@@ -7,7 +7,7 @@ ArgumentTypeError that it raises.
 import argparse
 import os
 from collections.abc import Callable
-from typing import Any
+from typing import TypeVar
 
 from framelens.base import arguments
 from framelens.base.errors import InputError, Message
@@ -21,7 +21,10 @@ def refusal(template: str, /, **values: object) -> argparse.ArgumentTypeError:
     return argparse.ArgumentTypeError(said(Message(template, **values), choose(os.environ)))
 
 
-def checked(check: Callable[..., object], text: str, value: object, *more: object) -> object:
+T = TypeVar("T")
+
+
+def checked(check: Callable[..., T], text: str, value: object, *more: object) -> T:
     """Check the value that a text stands for; argparse shows the text if it is wrong."""
     try:
         return check(value, *more, given=repr(text))
@@ -70,12 +73,12 @@ def backend(text: str) -> object:
     return checked(arguments.choice, text, text, "", arguments.BACKENDS)
 
 
-def number(text: str) -> Any:
+def number(text: str) -> float:
     return checked(arguments.number, text, arguments.real(text), "")
 
 
 def seconds(text: str) -> float:
-    found: float = number(text)
+    found = number(text)
     if found <= 0:
         raise refusal("{text!r}: expected a number of seconds above 0", text=text)
     return found

@@ -2,11 +2,11 @@
 
 import argparse
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
-from typing import Any, Protocol
+from typing import Any, NoReturn, Protocol
 
 from framelens.base import arguments
 from framelens.base.errors import InputError
@@ -42,6 +42,10 @@ class Command(Protocol):
         """Do what the options say; return the exit status."""
 
 
+Options = argparse._ActionsContainer
+"""A parser, or a group of its options."""
+
+
 class Parser(argparse.ArgumentParser):
     """A parser whose errors are an InputError of one line."""
 
@@ -50,7 +54,7 @@ class Parser(argparse.ArgumentParser):
         # Text that begins like this is a value, never an option: a pose may be -1,2,3,0,0.
         self._negative_number_matcher = re.compile(r"-\.?\d")
 
-    def error(self, message: str) -> Any:
+    def error(self, message: str) -> NoReturn:
         """Report the error in one line, as for all bad input."""
         raise InputError("{message} (see `{program} --help`)", message=message, program=self.prog)
 
@@ -83,7 +87,13 @@ class HelpFormatter(argparse.HelpFormatter):
         super().__init__(**options)
         self._translate = translate
 
-    def add_usage(self, usage: Any, actions: Any, groups: Any, prefix: str | None = None) -> None:
+    def add_usage(
+        self,
+        usage: str | None,
+        actions: Iterable[argparse.Action],
+        groups: Iterable["argparse._MutuallyExclusiveGroup"],
+        prefix: str | None = None,
+    ) -> None:
         prefix = self._translate("usage: ") if prefix is None else prefix
         super().add_usage(usage, actions, groups, prefix)
 
@@ -124,7 +134,7 @@ def add_commands(
             if not group:
                 below[""].add_parser(word, help=commands[name])
             continue
-        module: Any = import_module(f"{package}.{name.replace(' ', '_').replace('-', '_')}")
+        module = import_module(f"{package}.{name.replace(' ', '_').replace('-', '_')}")
         example = f"{parser.prog} {name} {module.EXAMPLE}".rstrip()
         sub = below[group].add_parser(
             word,
@@ -173,7 +183,7 @@ def language_option(
     )
 
 
-def backend_option(parser: Any) -> None:
+def backend_option(parser: Options) -> None:
     """Add --backend."""
     parser.add_argument(
         "--backend",

@@ -14,7 +14,7 @@ import sys
 import threading
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
+from typing import TextIO
 
 from framelens.base.errors import InputError, NoOpenGLError, say_unexpected, visible
 from framelens.base.guard import guarded
@@ -81,7 +81,7 @@ def on_program(path: str, work: Callable[[], int], options: argparse.Namespace) 
     return guarded(path, lambda: reported(work, options.ending))
 
 
-def own_input(options: argparse.Namespace) -> Any:
+def own_input(options: argparse.Namespace) -> TextIO | None:
     """Return standard input, for a program that reads it; None if it is somebody else's."""
     return sys.stdin if options.own_process else None
 

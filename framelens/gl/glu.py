@@ -47,7 +47,7 @@ def gluLookAt(*place: float) -> None:
     GL.glTranslated(*(0.0 - eye).tolist())
 
 
-def _unit(vector: Any) -> Any:
+def _unit(vector: np.ndarray) -> np.ndarray:
     length = np.sqrt(np.sum(vector * vector, dtype=np.float32))
     return vector / length if length else vector
 
@@ -121,7 +121,7 @@ def _unprojected(
     view: object,
     near: float,
     far: float,
-) -> Any:
+) -> np.ndarray:
     try:
         inverse = np.linalg.inv(_modelview(model) @ _projection(projection))
     except np.linalg.LinAlgError:
@@ -132,12 +132,12 @@ def _unprojected(
     return np.array([*(2.0 * value - 1.0 for value in unit), w]) @ inverse
 
 
-def _modelview(given: object) -> object:
+def _modelview(given: object) -> np.ndarray:
     matrix = GL.glGetDoublev(GL.GL_MODELVIEW_MATRIX) if given is None else given
     return np.reshape(np.array(matrix, np.float64), (4, 4))
 
 
-def _projection(given: object) -> Any:
+def _projection(given: object) -> np.ndarray:
     matrix = GL.glGetDoublev(GL.GL_PROJECTION_MATRIX) if given is None else given
     return np.reshape(np.array(matrix, np.float64), (4, 4))
 

@@ -5,17 +5,19 @@ store modes say. Types that pack a pixel into one number are not read: for them 
 mipmaps.
 """
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, TypeVar
 
 import numpy as np
 import OpenGL.GL as GL
 
+T = TypeVar("T")
 COMPONENTS = {
     **dict.fromkeys(("COLOR_INDEX", "RED", "GREEN", "BLUE", "ALPHA", "LUMINANCE"), 1),
     **dict.fromkeys(("STENCIL_INDEX", "DEPTH_COMPONENT"), 1),
     **{"LUMINANCE_ALPHA": 2, "RGB": 3, "BGR": 3, "RGBA": 4, "BGRA": 4},
 }
-TYPES: dict[str, object] = {
+TYPES: dict[str, type[np.generic]] = {
     **{"UNSIGNED_BYTE": np.uint8, "BYTE": np.int8, "UNSIGNED_SHORT": np.uint16},
     **{"SHORT": np.int16, "UNSIGNED_INT": np.uint32, "INT": np.int32, "FLOAT": np.float32},
 }
@@ -92,18 +94,18 @@ def gluScaleImage(
     return 0
 
 
-def halved(image: Any) -> object:
+def halved(image: np.ndarray) -> np.ndarray:
     """Return an image, (rows, columns, components), at half its size: means of 2 x 2 pixels."""
     steps = [2 if side > 1 else 1 for side in image.shape[:2]]
     parts = [image[y :: steps[0], x :: steps[1]] for y in range(steps[0]) for x in range(steps[1])]
     if image.dtype == np.float32:
-        return np.mean(parts, axis=0, dtype=np.float32)
+        return np.asarray(np.mean(parts, axis=0, dtype=np.float32))
     total = np.sum(parts, axis=0, dtype=np.int64)
     half = 2 if len(parts) == 4 else 0  # GLU rounds the means of four, and cuts those of two
     return ((total + half) // len(parts)).astype(image.dtype)
 
 
-def scaled(image: Any, width: int, height: int, smooth: bool = False) -> Any:
+def scaled(image: np.ndarray, width: int, height: int, smooth: bool = False) -> np.ndarray:
     """Return an image in another size; each pixel is the mean of the area that it covers.
 
     Where an image grows, ``smooth`` takes areas as large as an old pixel: gluScaleImage does, and
@@ -121,7 +123,7 @@ def scaled(image: Any, width: int, height: int, smooth: bool = False) -> Any:
     return result.astype(image.dtype)
 
 
-def _coverage(old: int, new: int, smooth: bool) -> Any:
+def _coverage(old: int, new: int, smooth: bool) -> np.ndarray:
     """Return the part that each of ``old`` pixels has in each of ``new`` ones: (new, old).
 
     Beyond the edge, the other side continues, as in a texture that repeats.
@@ -145,7 +147,7 @@ def _fitting(side: int) -> int:
     return min(power * (4 if side == 3 else 1), int(GL.glGetIntegerv(GL.GL_MAX_TEXTURE_SIZE)))
 
 
-def _names(table: dict[str, Any]) -> dict[int, Any]:
+def _names(table: Mapping[str, T]) -> dict[int, T]:
     return {int(getattr(GL, f"GL_{name}")): value for name, value in table.items()}
 
 
@@ -153,14 +155,14 @@ def _readable(format: int, type: int) -> bool:
     return format in _names(COMPONENTS) and type in _names(TYPES)
 
 
-def _dtype(type: int) -> Any:
+def _dtype(type: int) -> np.dtype:
     try:
         return np.dtype(_names(TYPES)[type])
     except KeyError:
         raise ValueError(f"gluScaleImage: pixels of type {type} cannot be read") from None
 
 
-def _read(width: int, height: int, format: int, type: int, data: Any) -> Any:
+def _read(width: int, height: int, format: int, type: int, data: Any) -> np.ndarray:
     """Return the image that the pixel store modes describe: (height, width, components)."""
     dtype, components = _dtype(type), _names(COMPONENTS)[format]
     alignment, length, rows, pixels = (

@@ -72,8 +72,8 @@ class Call:
     shared_by: tuple[str, ...]
     pass_: str
     site: Site
-    kept: list[Any] | None = None  # ``shown``, where it had to be made at the time of the call
-    given: tuple[Any, ...] | None = None
+    kept: list[object] | None = None  # ``shown``, where it had to be made at the time of the call
+    given: tuple[object, ...] | None = None
     skipped: bool = False
     arrays: "Sequence[tuple[str, tuple[Any, ...]]]" = ()
     executed: "Sequence[Compiled]" = ()
@@ -96,17 +96,17 @@ class Call:
         return f"{self.site.file}:{self.site.line}"
 
     @property
-    def shown(self) -> list[Any]:
+    def shown(self) -> list[object]:
         """The arguments as JSON: enumerants by name, long arrays by their first values."""
         return shown(self.name, self.args) if self.kept is None else self.kept
 
-    def as_json(self, inside: str = "") -> dict[str, Any]:
+    def as_json(self, inside: str = "") -> dict[str, object]:
         """Return the call in the form that `landscape trace --json` prints.
 
         ``inside`` is the place of a call that a display list executes, as in "12.3".
         """
         place = inside or str(self.number)
-        entry: dict[str, Any] = {
+        entry: dict[str, object] = {
             "call": int(place.partition(".")[0]),
             "name": self.name,
             "args": self.shown,
@@ -148,7 +148,7 @@ class GluCall:
         return f"{self.site.file}:{self.site.line}"
 
 
-Brief = tuple[int, str, CodeType, int, tuple[Any, ...]]
+Brief = tuple[int, str, CodeType, int, tuple[object, ...]]
 """A short note of a call: how many calls the recorder had, the name, the code and the instruction
 that calls, and the arguments."""
 
@@ -167,8 +167,8 @@ class Edits(Protocol):
         """The compiling of a display list ends."""
 
     def change(
-        self, name: str, args: tuple[Any, ...], elements: tuple[str, ...], pass_: str, site: Site
-    ) -> tuple[Any, ...] | None:
+        self, name: str, args: tuple[object, ...], elements: tuple[str, ...], pass_: str, site: Site
+    ) -> tuple[object, ...] | None:
         """Return the arguments to use for a call, ``args`` itself for most; None leaves it out."""
 
 
@@ -185,7 +185,7 @@ def mask(value: int) -> str:
     return " | ".join(name for name in names if value & getattr(OpenGL.GL, name))
 
 
-def plain(value: Any) -> Any:
+def plain(value: object) -> object:
     """Turn an argument into JSON: enumerants by name, numbers as numbers, arrays described."""
     if isinstance(value, int) and hasattr(value, "name"):
         return value.name
@@ -200,7 +200,7 @@ def plain(value: Any) -> Any:
     return getattr(value, "value", type(value).__name__)
 
 
-def _first(array: np.ndarray) -> list[Any]:
+def _first(array: np.ndarray) -> list[object]:
     """Return the first values of an array; of a structured one, its numbers field by field."""
     if array.dtype.names is None:
         return list(array.flat[:FIRST].tolist())

@@ -81,7 +81,7 @@ class Listing:
         self._calls: list[Call] | None = None
         self._listing = False  # whether they are just being listed
 
-    def note(self, name: str, args: tuple[Any, ...], where: tuple[Any, ...]) -> None:
+    def note(self, name: str, args: tuple[object, ...], where: tuple[object, ...]) -> None:
         """Add a call; ``where`` holds the next fields of a Call, as many as FIELDS."""
         self.length += 1
         self._notes += (name, len(args), *args, *where)
@@ -165,7 +165,7 @@ class Recorder:
         return {number: listing.calls() for number, listing in seam.state.lists.items()}
 
 
-GLFunction = Callable[..., Any]
+GLFunction = Callable[..., object]
 Origin = tuple[tuple[str, ...], str, Site]  # of a call: the elements that draw, the pass, the line
 
 
@@ -192,7 +192,7 @@ class Seam:
         self.noted: dict[str, Any] = {}
         # Told of the calls of a program that does not know the seam while there is no recording:
         # name, arguments, result and line.
-        self.unrecorded: list[Callable[[str, tuple[Any, ...], Any, Site], None]] = []
+        self.unrecorded: list[Callable[[str, tuple[object, ...], object, Site], None]] = []
         self._depth = 0  # how many noting() blocks are open
         # Whether a call of such a program is being made. It changes with each of them, so it is no
         # field of the state.
@@ -300,7 +300,7 @@ class Seam:
         to_client = concerns_arrays(name)
         follow = self._follow(name)
 
-        def noted(*args: Any, **named: Any) -> Any:
+        def noted(*args: object, **named: object) -> object:
             origin = self.state.again or self._origin(sys._getframe(1), by_function)
             changed = self._changed(name, args, origin)
             given = None if changed is None or changed is args else args
@@ -325,14 +325,16 @@ class Seam:
         elements = (site.function,) if by_function else drawn_now()
         return elements, self.state.pass_, site
 
-    def _changed(self, name: str, args: tuple[Any, ...], origin: Origin) -> tuple[Any, ...] | None:
+    def _changed(
+        self, name: str, args: tuple[object, ...], origin: Origin
+    ) -> tuple[object, ...] | None:
         """Return a call's arguments as the edits want them; None if it is to be left out."""
         edits = self.state.edits
         return args if edits is None else edits.change(name, args, *origin)
 
     def _frozen(
-        self, name: str, values: tuple[Any, ...], to_client: bool
-    ) -> tuple[tuple[Any, ...], list[Any] | None, Sequence[Any]]:
+        self, name: str, values: tuple[object, ...], to_client: bool
+    ) -> tuple[tuple[object, ...], list[object] | None, Sequence[object]]:
         """Return arguments, their form as JSON and client arrays as far as they are kept now.
 
         The caller may overwrite an array later. ``to_client``: the call concerns client arrays.
@@ -408,7 +410,7 @@ class Seam:
         """
         noted = self.noting_function(name, function, by_function=True)
 
-        def called(*args: Any, **named: Any) -> Any:
+        def called(*args: object, **named: object) -> object:
             state = self.state
             if self._inside or state.recorder is None:
                 result = None
@@ -435,7 +437,7 @@ class Seam:
         edits, or from a library.
         """
 
-        def called(*args: Any, **named: Any) -> Any:
+        def called(*args: object, **named: object) -> object:
             state = self.state
             recorder = state.recorder
             if recorder is None:
@@ -458,7 +460,7 @@ class Seam:
         A call that has no effect is seen by that: gluPerspective with an aspect of 0, for instance.
         """
 
-        def called(*args: Any, **named: Any) -> Any:
+        def called(*args: object, **named: object) -> object:
             state = self.state
             if state.recorder is None:
                 return function(*args, **named)

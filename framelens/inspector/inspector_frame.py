@@ -15,6 +15,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from framelens.base.errors import InputError
 from framelens.base.output import next_free
 from framelens.gl.seam import edited, recording, unnoted
@@ -280,19 +282,19 @@ class Inspection:
 
     # The picture and the mouse.
 
-    def image(self, dpi: float) -> tuple[Hashable, Callable[[], Any]] | None:
+    def image(self, dpi: float) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
         """Return what the picture depends on, and how to make it; None while closed."""
         if not self.model.open:
             return None
         size = self._size
 
-        def make() -> object:
+        def make() -> np.ndarray:
             self.shown = picture(self.model, size, dpi, self._language, self.letters)
             return self.shown.image
 
         return (self.model.version, self._language, tuple(self.letters.items())), make
 
-    def cross(self) -> tuple[int, int, Callable[[], Any]] | None:
+    def cross(self) -> tuple[int, int, Callable[[], np.ndarray]] | None:
         """Return where the cross-hair is, in pixels from the top left, and how to make it."""
         if not self.model.open:
             return None

@@ -10,7 +10,6 @@ again, so a row stays chosen, and open, when the frame is recorded anew.
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from framelens.gl.seam import Call, Listing
 from framelens.tape.edits import Located, located
@@ -106,7 +105,12 @@ class Tree:
             start = end
 
     def _add(
-        self, pass_: str, element: str, found: Sequence[Located], start: int, counts: Counter[Any]
+        self,
+        pass_: str,
+        element: str,
+        found: Sequence[Located],
+        start: int,
+        counts: Counter[Identity],
     ) -> None:
         """Add calls that follow each other in one pass and of one element."""
         if not self.passes or self.passes[-1].name != pass_:

@@ -36,11 +36,12 @@ from framelens.inspector.requests import Requests
 from framelens.program.past import Past, followed
 from framelens.program.program import run
 from framelens.program.program_events import BUTTONS, Event
-from framelens.program.program_run import Window
+from framelens.program.program_run import Library, Window
 from framelens.spec import spec
 from framelens.state import state
 from framelens.tape.buffers import Buffers
 from framelens.tape.edit_files import read
+from framelens.tape.edits import Edit
 from framelens.tape.steps import bind_again, binds_shaders, repeatable
 from framelens.tape.tape import Tape
 
@@ -82,7 +83,9 @@ def inspect(
 class ProgramInspector(ExitStack):
     """Watches a program (program/program.py), and stands between its window and its user."""
 
-    def __init__(self, given: Any, language: str, path: str = "", closed: bool = False) -> None:
+    def __init__(
+        self, given: Sequence[Edit], language: str, path: str = "", closed: bool = False
+    ) -> None:
         """Begin open, or ``closed``; ``path`` is the program's, for errors."""
         super().__init__()
         self._closed = closed
@@ -92,7 +95,7 @@ class ProgramInspector(ExitStack):
         self.notices: list[str] = []
         self._language = language
         self._requests = Requests(system_name)
-        self._glfw: Any = None
+        self._glfw: Library
         self._window: object = None
         self._keys: Mapping[int, str] = {}
         self._coming: list[Event] = []
@@ -290,7 +293,7 @@ class ProgramInspector(ExitStack):
 
     # The window.
 
-    def attach(self, glfw: Any, window: object, keys: Mapping[int, str]) -> None:
+    def attach(self, glfw: Library, window: object, keys: Mapping[int, str]) -> None:
         """Listen to the window."""
         self._glfw = glfw
         self._window = window

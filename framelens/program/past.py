@@ -8,10 +8,9 @@ leaks from one frame into the next.
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from framelens.gl.seam import Call, GluCall, Site
-from framelens.program.program_run import Chain, Showing, Window, chain
+from framelens.program.program_run import Chain, EarlyCall, Showing, Window, chain
 from framelens.spec.spec import sets
 from framelens.state.state import State
 
@@ -33,7 +32,7 @@ class Setters:
         self.last: dict[str, Call] = {}
         self.chained: dict[str, list[Call]] = {}  # a matrix: the calls since it was loaded
         self._stacks: dict[str, list[tuple[Call | None, list[Call]]]] = {}
-        self._known: dict[str, Any] = {
+        self._known: dict[str, object] = {
             "GL_MATRIX_MODE": "GL_MODELVIEW",
             "GL_ACTIVE_TEXTURE": "GL_TEXTURE0",
             "GL_CLIENT_ACTIVE_TEXTURE": "GL_TEXTURE0",
@@ -140,13 +139,15 @@ class Past:
     now: State
     chains: Mapping[int, Chain]
     glu: Sequence[GluCall]
-    early: Sequence[tuple[str, tuple[Any, ...], Any, Site]] = ()
+    early: Sequence[EarlyCall] = ()
     pixels: Mapping[bytes, tuple[str, Site]] = field(default_factory=dict)
     previous: Sequence[Call] = ()
     error: BaseException | None = None
 
 
-def chains_of(path: str, draws: Callable[[str], bool]) -> tuple[dict[int, Chain], Any]:
+def chains_of(
+    path: str, draws: Callable[[str], bool]
+) -> tuple[dict[int, Chain], Callable[[Call], None]]:
     """Return a dictionary, and what fills it if a recorder tells it of each call in advance."""
     found: dict[int, Chain] = {}
 

@@ -70,7 +70,7 @@ def _functions(make: Make, running: Callable[[], Run | None]) -> AbstractContext
 
         return told
 
-    def made(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def made(name: str, function: Callable[..., object]) -> Callable[..., object]:
         new = make(name, function)
         if any(word in name for word in SHADERS):
             return beside(new, before=tell(Run.uses_shaders))
@@ -166,7 +166,7 @@ def run(
     return state.result
 
 
-def _toolkit(source: Source) -> Callable[[Run], Any]:
+def _toolkit(source: Source) -> Callable[[Run], AbstractContextManager[None]]:
     """Return what prepares the toolkit of a program, for the time that it runs."""
     if source.toolkit == "glfw":
         from framelens.program.program_glfw import glfw_program

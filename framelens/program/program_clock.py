@@ -90,8 +90,8 @@ class Clock:
             self.held = True
             yield
 
-    def _replacements(self) -> list[tuple[Any, str, Any]]:
-        found: list[tuple[Any, str, Any]] = []
+    def _replacements(self) -> list[tuple[object, str, object]]:
+        found: list[tuple[object, str, object]] = []
         for name, start in (
             *(("time", EPOCH), ("perf_counter", STARTED), ("monotonic", STARTED)),
             *(("process_time", 0.0), ("thread_time", 0.0)),
@@ -105,10 +105,12 @@ class Clock:
         moment, day = _held_dates(self)
         return [*found, (datetime, "datetime", moment), (datetime, "date", day)]
 
-    def _reader(self, true: Callable[[], Any], start: float, unit: int = 0) -> Callable[[], Any]:
+    def _reader(
+        self, true: Callable[[], object], start: float, unit: int = 0
+    ) -> Callable[[], object]:
         """Return the held form of a function that reads a clock; ``unit`` for whole numbers."""
 
-        def read() -> Any:
+        def read() -> object:
             if not self.held:
                 return true()
             return start + self.read() if not unit else round((start + self.read()) * unit)
@@ -126,10 +128,10 @@ class Clock:
 
         return sleep
 
-    def _formatter(self, true: Callable[..., Any], at: int) -> Callable[..., Any]:
+    def _formatter(self, true: Callable[..., object], at: int) -> Callable[..., object]:
         """Return the held form of a function that takes a time, or none for the present one."""
 
-        def formatted(*args: Any) -> Any:
+        def formatted(*args: object) -> object:
             if self.held and len(args) == at:
                 now = EPOCH + self.read()
                 args += (now,) if at == 0 else (_localtime(now),)
@@ -146,11 +148,11 @@ def _held_dates(clock: Clock) -> tuple[type, type]:
     true_moment, true_day = datetime.datetime, datetime.date
 
     class Moment(type):
-        def __instancecheck__(cls, value: Any) -> bool:
+        def __instancecheck__(cls, value: object) -> bool:
             return isinstance(value, true_moment)
 
     class Day(type):
-        def __instancecheck__(cls, value: Any) -> bool:
+        def __instancecheck__(cls, value: object) -> bool:
             return isinstance(value, true_day)
 
     class HeldMoment(true_moment, metaclass=Moment):  # type: ignore[misc, valid-type]
@@ -161,7 +163,7 @@ def _held_dates(clock: Clock) -> tuple[type, type]:
             return true_moment.fromtimestamp(EPOCH + clock.read(), tz)
 
         @classmethod
-        def today(cls) -> Any:
+        def today(cls) -> object:
             return cls.now()
 
         @classmethod

@@ -130,7 +130,7 @@ class Queue:
             self.mouse = float(event.value[0]), float(event.value[1])
 
 
-def presses(keys: Iterable[str], frame: int = 1) -> list[dict[str, Any]]:
+def presses(keys: Iterable[str], frame: int = 1) -> list[dict[str, object]]:
     """Return the events of keys that are pressed and released before a frame."""
     actions = ("press", "release")
     return [{"frame": frame, "key": key, "action": action} for key in keys for action in actions]
@@ -150,7 +150,7 @@ def read_events(source: Any) -> list[Event]:
     return [_event(entry, f"{where}: event {at}") for at, entry in enumerate(entries, 1)]
 
 
-def _entries(path: Path) -> list[Any]:
+def _entries(path: Path) -> list[object]:
     try:
         text = read_bounded(path, MOST_BYTES).decode()
     except UnicodeDecodeError:
@@ -179,7 +179,7 @@ def _entries(path: Path) -> list[Any]:
     return found
 
 
-def _event(entry: Any, where: str) -> Event:
+def _event(entry: object, where: str) -> Event:
     """Check an event; ``where`` names it in the error."""
     if not isinstance(entry, dict):
         raise InputError(
@@ -237,7 +237,7 @@ def _event(entry: Any, where: str) -> Event:
     return Event(frame, kind, name, action, frozenset(held | ({"shift"} if shifted else set())))
 
 
-def _key(given: Any, where: str) -> tuple[str, bool]:
+def _key(given: object, where: str) -> tuple[str, bool]:
     """Return a key's name, and whether shift is needed to write the character that named it."""
     if isinstance(given, str):
         if given.upper() in KEYS:
@@ -251,7 +251,7 @@ def _key(given: Any, where: str) -> tuple[str, bool]:
     )
 
 
-def _one_of(given: Any, values: Sequence[str], name: str, where: str) -> str:
+def _one_of(given: object, values: Sequence[str], name: str, where: str) -> str:
     if not isinstance(given, str) or given not in values:
         raise InputError(
             '{where}: "{name}" is {value}, expected {names}',
@@ -263,7 +263,7 @@ def _one_of(given: Any, values: Sequence[str], name: str, where: str) -> str:
     return given
 
 
-def _pair(given: Any, name: str, where: str) -> tuple[float, float]:
+def _pair(given: object, name: str, where: str) -> tuple[float, float]:
     whole = name == "resize"
     kinds = (int,) if whole else (int, float)
     if (

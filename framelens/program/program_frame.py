@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, TextIO, TypeVar
+from typing import TextIO, TypeVar
 
 from framelens.program.program_tape import on_frame
 from framelens.tape.edit_files import read
@@ -27,7 +27,7 @@ class ProgramFrame:
     backend: str = "auto"
     edits: Path | None = None
     frame: int = 0
-    events: Path | Sequence[Mapping[str, Any]] | None = None
+    events: Path | Sequence[Mapping[str, object]] | None = None
     arguments: Sequence[str] = ()
     stdin: TextIO | None = None
     limit: float | None = None

@@ -57,16 +57,16 @@ def glfw_program(run: Run) -> Iterator[None]:
 class _Glfw:
     """Stands in for GLFW. The public methods have the names of GLFW's functions."""
 
-    def __init__(self, run: Run, glfw: Any, backend: str) -> None:
+    def __init__(self, run: Run, glfw: types.ModuleType, backend: str) -> None:
         self._run = run
-        self._real: Any = types.SimpleNamespace(**vars(glfw))
+        self._real = types.SimpleNamespace(**vars(glfw))
         self._backend = backend
         self._host = run.host
         self._own: EGLContext | CGLContext | None = None  # the context, where GLFW makes none
-        self._window: Any = None
+        self._window: object = None
         self._size = 0, 0  # that the program has asked for
-        self._current: Any = None  # the window, while its context of EGL is current
-        self._callbacks: dict[str, Callable[..., Any]] = {}
+        self._current: object = None  # the window, while its context of EGL is current
+        self._callbacks: dict[str, Callable[..., object]] = {}
         self._closing = False
         self._started = 0.0  # where get_time counts from, in seconds of the held clock
         self._modes: dict[int, int] = {}
@@ -75,7 +75,7 @@ class _Glfw:
         self._codes = {key: code for code, key in self._keys.items()}
         self._mods = {mod: getattr(glfw, f"MOD_{mod.upper()}") for mod in MODS}
 
-    def functions(self) -> dict[str, Any]:
+    def functions(self) -> dict[str, object]:
         """Return the functions that take the place of GLFW's, by their names."""
         known = vars(self._real)
         own = {name: getattr(self, name) for name in vars(type(self)) if name[0] != "_"}
@@ -83,7 +83,7 @@ class _Glfw:
         own |= {name: (lambda *args: None) for name in WITHOUT_EFFECT}
         return {name: new for name, new in own.items() if name in known}
 
-    def _setter(self, name: str) -> Callable[..., Any]:
+    def _setter(self, name: str) -> Callable[..., object]:
         def set_callback(window: Any, function: Any) -> Any:
             before = self._callbacks.get(name)
             self._callbacks[name] = function
@@ -91,7 +91,7 @@ class _Glfw:
 
         return set_callback
 
-    def _call(self, callback: str, *args: Any) -> None:
+    def _call(self, callback: str, *args: object) -> None:
         function = self._callbacks.get(callback)
         if function is not None:
             function(self._window, *args)
@@ -130,7 +130,9 @@ class _Glfw:
             self._double_buffered = bool(value)
         self._real.window_hint(hint, value)
 
-    def create_window(self, width: int, height: int, title: Any, monitor: Any, share: Any) -> Any:
+    def create_window(
+        self, width: int, height: int, title: object, monitor: object, share: object
+    ) -> object:
         real = self._real
         self._run.check()
         if self._run.window is not None or self._window is not None:
@@ -162,7 +164,7 @@ class _Glfw:
 
         return self._window
 
-    def destroy_window(self, window: Any) -> None:
+    def destroy_window(self, window: object) -> None:
         if self._window:
             self._run.closed()
             if self._host is not None:
@@ -178,7 +180,7 @@ class _Glfw:
             self._real.destroy_window(self._window)
         self._window = self._own = None
 
-    def make_context_current(self, window: Any) -> None:
+    def make_context_current(self, window: object) -> None:
         self._run.check()
         if self._backend in ("osmesa", "glfw"):
             self._real.make_context_current(window)
@@ -193,7 +195,7 @@ class _Glfw:
         if window and self._run.window is None:
             self._run.open(self._described(window))
 
-    def _context(self, window: Any) -> EGLContext | CGLContext:
+    def _context(self, window: object) -> EGLContext | CGLContext:
         if self._backend == "cgl":
             return CGLContext()
         return EGLContext(self._real.get_framebuffer_size(window))
@@ -205,42 +207,43 @@ class _Glfw:
         size = (lambda: self._size) if hidden else lambda: self.get_framebuffer_size(window)
         return Window("glfw", self._backend, size, doubled, hidden)
 
-    def get_current_context(self) -> Any:
+    def get_current_context(self) -> object:
         return self._current if self._own else self._real.get_current_context()
 
-    def get_proc_address(self, name: str) -> Any:
+    def get_proc_address(self, name: str) -> object:
         if self._backend != "egl":
             return self._real.get_proc_address(name)
         return egl.library().eglGetProcAddress(name.encode())
 
-    def swap_buffers(self, window: Any) -> None:
+    def swap_buffers(self, window: object) -> None:
         self._run.end_frame()
         if self._own is None and self._run.framebuffer is None:
             self._real.swap_buffers(self._window)
         self._run.begin_frame()
 
-    def get_framebuffer_size(self, window: Any) -> Any:
+    def get_framebuffer_size(self, window: object) -> tuple[int, int]:
         if self._host is not None:
             return self._host.pixels()
         if self._run.framebuffer is not None:
             return self._size
-        return self._real.get_framebuffer_size(self._window)
+        width, height = self._real.get_framebuffer_size(self._window)
+        return width, height
 
-    def get_window_content_scale(self, window: Any) -> Any:
+    def get_window_content_scale(self, window: object) -> object:
         if self._run.framebuffer is not None:
             return 1.0, 1.0
         return self._real.get_window_content_scale(self._window)
 
-    def get_window_size(self, window: Any) -> Any:
+    def get_window_size(self, window: object) -> object:
         if self._host is not None:
             return self._host.area()
         return self._real.get_window_size(self._window)
 
-    def set_window_title(self, window: Any, title: Any) -> None:
+    def set_window_title(self, window: object, title: object) -> None:
         if self._host is None:
             self._real.set_window_title(self._window, title)
 
-    def set_window_size(self, window: Any, width: int, height: int) -> None:
+    def set_window_size(self, window: object, width: int, height: int) -> None:
         if self._host is None:
             self._change_size(width, height)
 
@@ -265,14 +268,14 @@ class _Glfw:
         self._call("window_refresh")
 
     def set_window_monitor(
-        self, window: Any, monitor: Any, x: int, y: int, width: int, height: int, rate: int
+        self, window: object, monitor: object, x: int, y: int, width: int, height: int, rate: int
     ) -> None:
         self.set_window_size(window, width, height)
 
-    def get_window_monitor(self, window: Any) -> Any:
+    def get_window_monitor(self, window: object) -> object:
         return None
 
-    def get_window_attrib(self, window: Any, attribute: int) -> int:
+    def get_window_attrib(self, window: object, attribute: int) -> int:
         real = self._real
         if attribute in (real.VISIBLE, real.FOCUSED, real.HOVERED):
             return int(real.TRUE)
@@ -280,11 +283,11 @@ class _Glfw:
             return int(real.FALSE)
         return int(real.get_window_attrib(self._window, attribute))
 
-    def window_should_close(self, window: Any) -> bool:
+    def window_should_close(self, window: object) -> bool:
         self._run.check()
         return self._closing
 
-    def set_window_should_close(self, window: Any, value: bool) -> None:
+    def set_window_should_close(self, window: object, value: bool) -> None:
         self._closing = bool(value)
 
     # Time.
@@ -362,26 +365,26 @@ class _Glfw:
         self._closing = True
         self._call("window_close")
 
-    def get_key(self, window: Any, key: int) -> int:
+    def get_key(self, window: object, key: int) -> int:
         down = self._keys.get(key) in self._run.events.keys
         return int(self._real.PRESS if down else self._real.RELEASE)
 
-    def get_mouse_button(self, window: Any, button: int) -> int:
+    def get_mouse_button(self, window: object, button: int) -> int:
         names = {getattr(self._real, f"MOUSE_BUTTON_{n.upper()}"): n for n in BUTTONS}
         down = names.get(button) in self._run.events.buttons
         return int(self._real.PRESS if down else self._real.RELEASE)
 
-    def get_cursor_pos(self, window: Any) -> tuple[float, float]:
+    def get_cursor_pos(self, window: object) -> tuple[float, float]:
         return self._run.events.mouse
 
-    def set_cursor_pos(self, window: Any, x: float, y: float) -> None:
+    def set_cursor_pos(self, window: object, x: float, y: float) -> None:
         self._run.events.mouse = float(x), float(y)
 
-    def get_input_mode(self, window: Any, mode: int) -> int:
+    def get_input_mode(self, window: object, mode: int) -> int:
         default = self._real.CURSOR_NORMAL if mode == self._real.CURSOR else 0
         return self._modes.get(mode, int(default))
 
-    def set_input_mode(self, window: Any, mode: int, value: int) -> None:
+    def set_input_mode(self, window: object, mode: int, value: int) -> None:
         self._modes[mode] = value
         if self._host is not None and mode == self._real.CURSOR:
             self._real.set_input_mode(self._window, mode, value)

@@ -13,7 +13,6 @@ import sys
 import types
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
 
 from framelens.base.errors import Message, NoOpenGLError
 from framelens.gl import advice, display
@@ -93,7 +92,7 @@ def glut_program(run: Run) -> Iterator[None]:
     stand_in = _Glut(run, library("GLUT"))
     functions = stand_in.functions()
 
-    def choose(module: str, name: str, value: Any) -> Any:
+    def choose(module: str, name: str, value: object) -> object:
         # PyOpenGL holds the functions of GLUT itself in a module under raw.
         return functions.get(name) if module.startswith("OpenGL.GLUT") else None
 
@@ -109,9 +108,9 @@ class _Glut:
 
     def __init__(self, run: Run, glut: types.ModuleType) -> None:
         self._run = run
-        self._real: Any = types.SimpleNamespace(**vars(glut))
-        self._callbacks: dict[str, Callable[..., Any] | None] = {}
-        self._timers: list[tuple[float, int, Callable[..., Any], Any]] = []
+        self._real = types.SimpleNamespace(**vars(glut))
+        self._callbacks: dict[str, Callable[..., object] | None] = {}
+        self._timers: list[tuple[float, int, Callable[..., object], object]] = []
         self._ordered = 0  # timers so far: those due at once go in their order
         self._window = 0
         self._live: LiveWindow | None = None  # in the place of freeglut's window
@@ -134,10 +133,10 @@ class _Glut:
         self._forced = False  # whether the redraw that is due was asked for by nobody
         self._stirred = False  # whether a callback that may change something was called
 
-    def functions(self) -> dict[str, Any]:
+    def functions(self) -> dict[str, object]:
         """Return the functions that take the place of GLUT's, by their names."""
         known = vars(self._real)
-        own: dict[str, Any] = {
+        own: dict[str, object] = {
             name: self._setter(name)
             for name in known
             if FUNCTIONS.fullmatch(name) and name not in OTHER_FUNCTIONS
@@ -175,14 +174,14 @@ class _Glut:
         else:
             library("GLUT.osx").glutCheckLoop()
 
-    def _setter(self, name: str) -> Callable[..., Any]:
-        def set_callback(function: Any = None, *args: Any) -> None:
+    def _setter(self, name: str) -> Callable[..., object]:
+        def set_callback(function: object = None, *args: object) -> None:
             # PyOpenGL takes None and 0 for no callback.
             self._callbacks[name[4:-4]] = function if callable(function) else None
 
         return set_callback
 
-    def _call(self, callback: str, *args: Any) -> bool:
+    def _call(self, callback: str, *args: object) -> bool:
         """Call a callback of the program; return whether it has one."""
         function = self._callbacks.get(callback)
         if function is not None and callback in BEFORE_DISPLAY:
@@ -191,7 +190,7 @@ class _Glut:
             self._shows(function, *args)
         return function is not None
 
-    def _shows(self, function: Callable[..., Any], *args: Any) -> None:
+    def _shows(self, function: Callable[..., object], *args: object) -> None:
         """Call a function; end the frame if it draws in a window that shows it without a swap."""
         self._run.drew = False
         function(*args)
@@ -210,7 +209,7 @@ class _Glut:
 
     # Initialisation and the window.
 
-    def glutInit(self, *args: Any) -> Any:
+    def glutInit(self, *args: object) -> object:
         self._run.check()
         self._ready = True
         return self._real.glutInit(*args)
@@ -220,7 +219,7 @@ class _Glut:
         self._bits = {name: bits if mode & bit else 0 for name, (bit, _, bits) in BUFFERS.items()}
         self._real.glutInitDisplayMode(mode & ~MULTISAMPLE)
 
-    def glutInitDisplayString(self, words: Any) -> None:
+    def glutInitDisplayString(self, words: object) -> None:
         text = words.decode() if isinstance(words, bytes) else str(words)
         kept = [word for word in text.split() if not word.startswith("samples")]
         self._double_buffered = "double" in kept
@@ -234,7 +233,7 @@ class _Glut:
         self._size = self._run.sized(width, height)
         self._real.glutInitWindowSize(width, height)
 
-    def glutCreateWindow(self, title: Any) -> int:
+    def glutCreateWindow(self, title: object) -> int:
         run, real = self._run, self._real
         run.check()
         # freeglut would end the whole process.
@@ -253,7 +252,7 @@ class _Glut:
         run.open(Window("glut", "glx", size, self._double_buffered))
         return self._window
 
-    def _open_live(self, title: Any) -> int:
+    def _open_live(self, title: object) -> int:
         self._live = LiveWindow(
             self._run, self._size, _text(title), self._bits, self._double_buffered
         )
@@ -261,11 +260,11 @@ class _Glut:
         self._run.open(self._live.described("glut"))
         return self._window
 
-    def _entitle(self, title: Any) -> None:
+    def _entitle(self, title: object) -> None:
         if self._live is not None:
             self._live.entitle(_text(title))
 
-    def glutCreateSubWindow(self, *args: Any) -> int:
+    def glutCreateSubWindow(self, *args: object) -> int:
         raise self._run.second_window()
 
     def glutEnterGameMode(self) -> int:
@@ -308,7 +307,7 @@ class _Glut:
 
     # The main loop.
 
-    def glutTimerFunc(self, wait: float, function: Callable[..., Any], value: Any) -> None:
+    def glutTimerFunc(self, wait: float, function: Callable[..., object], value: object) -> None:
         self._ordered += 1
         due = self._run.clock.now + max(0.0, wait) / 1000.0
         self._timers.append((due, self._ordered, function, value))
@@ -448,13 +447,13 @@ class _Glut:
         self.glutDestroyWindow(self._window)
 
 
-def _answering(value: Any) -> Callable[..., Any]:
+def _answering(value: object) -> Callable[..., object]:
     return lambda *args: value
 
 
-def _text(title: Any) -> str:
+def _text(title: object) -> str:
     return title.decode(errors="replace") if isinstance(title, bytes) else str(title)
 
 
-def _nothing(*args: Any) -> None:
+def _nothing(*args: object) -> None:
     """Take the place of a callback, in freeglut."""

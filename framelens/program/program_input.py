@@ -3,7 +3,7 @@
 import io
 from collections.abc import Callable
 from contextlib import AbstractContextManager
-from typing import Any, TextIO
+from typing import TextIO
 
 
 class Input(io.TextIOBase):
@@ -12,7 +12,9 @@ class Input(io.TextIOBase):
     The program may close it: the user's own stays open.
     """
 
-    def __init__(self, stdin: TextIO, waiting: Callable[[], AbstractContextManager[Any]]) -> None:
+    def __init__(
+        self, stdin: TextIO, waiting: Callable[[], AbstractContextManager[object]]
+    ) -> None:
         self._stdin = stdin
         self._waiting = waiting
 
@@ -44,7 +46,7 @@ class Input(io.TextIOBase):
         return self._stdin.encoding
 
     @property
-    def buffer(self) -> Any:
+    def buffer(self) -> object:
         """The bytes that are read."""
         return self._stdin.buffer
 

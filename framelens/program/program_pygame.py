@@ -10,6 +10,7 @@ import os
 import types
 from collections.abc import Iterator
 from contextlib import contextmanager
+from types import ModuleType
 from typing import Any
 
 from framelens.base.errors import Message, NoOpenGLError
@@ -59,7 +60,7 @@ def pygame_program(run: Run) -> Iterator[None]:
             stand_in.quit()
 
 
-def _silent() -> Any:
+def _silent() -> ModuleType:
     """Import pygame: it prints nothing, and plays into nothing."""
     os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
     os.environ["SDL_AUDIODRIVER"] = "dummy"
@@ -87,7 +88,7 @@ def pygame_beside(run: Run) -> Iterator[None]:
             pygame.quit()
 
 
-def _held_times(run: Run, pygame: Any) -> Iterator[tuple[Any, Any]]:
+def _held_times(run: Run, pygame: ModuleType) -> Iterator[tuple[object, object]]:
     """Yield each function of pygame that reads the clock or waits, and its held form."""
     clock, times = run.clock, pygame.time
 
@@ -101,7 +102,7 @@ def _held_times(run: Run, pygame: Any) -> Iterator[tuple[Any, Any]]:
     yield times.delay, wait
 
 
-def _choose(run: Run, pygame: Any) -> str:
+def _choose(run: Run, pygame: ModuleType) -> str:
     """Choose SDL's driver and bind PyOpenGL to the same; return the backend's name."""
     if run.live is not None:
         os.environ["SDL_VIDEODRIVER"] = "dummy"  # the window that is seen is one of GLFW
@@ -153,7 +154,7 @@ def _choose(run: Run, pygame: Any) -> str:
 class _Pygame:
     """Stands in for pygame; the methods are named after module and function."""
 
-    def __init__(self, run: Run, pygame: Any, backend: str) -> None:
+    def __init__(self, run: Run, pygame: ModuleType, backend: str) -> None:
         self._run = run
         self._pygame = pygame
         self._backend = backend
@@ -181,7 +182,7 @@ class _Pygame:
         self._mods = {"shift": pygame.KMOD_LSHIFT, "control": pygame.KMOD_LCTRL}
         self._mods["alt"] = pygame.KMOD_LALT
 
-    def functions(self) -> Iterator[tuple[Any, Any]]:
+    def functions(self) -> Iterator[tuple[object, object]]:
         """Yield each function of pygame that is replaced, and what takes its place."""
         yield from _held_times(self._run, self._pygame)
         for name in vars(type(self)):
@@ -248,7 +249,7 @@ class _Pygame:
         run.open(self._live.described("pygame"))
         return surface
 
-    def display_set_caption(self, title: Any, icontitle: Any = None) -> None:
+    def display_set_caption(self, title: object, icontitle: object = None) -> None:
         self._real.display.set_caption(title)
         if self._live is not None:
             self._live.entitle(str(title))
@@ -268,7 +269,7 @@ class _Pygame:
             self._real.display.flip()
         self._run.begin_frame()
 
-    def display_update(self, *args: Any) -> None:
+    def display_update(self, *args: object) -> None:
         self.display_flip()
 
     def display_toggle_fullscreen(self) -> int:
@@ -279,7 +280,7 @@ class _Pygame:
 
     # Time, as far as it is events.
 
-    def time_set_timer(self, event: Any, millis: int, loops: int = 0) -> None:
+    def time_set_timer(self, event: object, millis: int, loops: int = 0) -> None:
         kind = getattr(event, "type", event)
         self._timers = [timer for timer in self._timers if timer[2].type != kind]
         if millis > 0:
@@ -301,18 +302,20 @@ class _Pygame:
                 timer[0] += timer[1]
                 timer[3] -= 1
 
-    def event_get(self, eventtype: Any = None, pump: Any = True, exclude: Any = None) -> list[Any]:
+    def event_get(
+        self, eventtype: object = None, pump: object = True, exclude: object = None
+    ) -> list[object]:
         if pump:
             self.event_pump()
         taken = [event for event in self._events if _among(event, eventtype, exclude)]
         self._events = [event for event in self._events if event not in taken]
         return taken
 
-    def event_poll(self) -> Any:
+    def event_poll(self) -> object:
         self.event_pump()
         return self._events.pop(0) if self._events else self._event("NOEVENT")
 
-    def event_wait(self, timeout: int = 0) -> Any:
+    def event_wait(self, timeout: int = 0) -> object:
         self.event_pump()
         if not self._events and timeout:
             self._run.clock.move(timeout / 1000.0)
@@ -324,22 +327,22 @@ class _Pygame:
         # A program that waits for somebody is asked to redraw.
         return self._events.pop(0) if self._events else self._event("VIDEOEXPOSE")
 
-    def event_peek(self, eventtype: Any = None, pump: Any = True) -> Any:
+    def event_peek(self, eventtype: object = None, pump: object = True) -> object:
         if pump:
             self.event_pump()
         return any(_among(event, eventtype, None) for event in self._events)
 
-    def event_clear(self, eventtype: Any = None, pump: Any = True) -> None:
+    def event_clear(self, eventtype: object = None, pump: object = True) -> None:
         self.event_get(eventtype, pump)
 
-    def event_post(self, event: Any) -> bool:
+    def event_post(self, event: object) -> bool:
         self._events.append(event)
         return True
 
-    def event_set_grab(self, grab: Any) -> None:
+    def event_set_grab(self, grab: object) -> None:
         pass
 
-    def key_get_pressed(self) -> Any:
+    def key_get_pressed(self) -> object:
         self._run.check()
         return _Pressed({self._codes[name] for name in self._run.events.keys})
 
@@ -374,7 +377,7 @@ class _Pygame:
         x, y = at if len(at) == 2 else at[0]
         self._run.events.mouse = float(x), float(y)
 
-    def mouse_set_visible(self, visible: Any) -> bool:
+    def mouse_set_visible(self, visible: object) -> bool:
         return True
 
     def _event(self, kind: str, **values: Any) -> Any:
@@ -385,7 +388,7 @@ class _Pygame:
         self._run.events.note(event)
         self._events += getattr(self, f"_{event.kind}")(event, before)
 
-    def _key(self, event: Event, before: Any) -> list[Any]:
+    def _key(self, event: Event, before: tuple[float, float]) -> list[object]:
         if event.action == "repeat" and not self._repeats:
             return []
         written = event.text or CONTROL.get(event.name, "")
@@ -393,18 +396,18 @@ class _Pygame:
         found = [self._event("KEYDOWN" if event.pressed else "KEYUP", **values, scancode=0)]
         return found + ([self._event("TEXTINPUT", text=event.text)] if event.text else [])
 
-    def _button(self, event: Event, before: Any) -> list[Any]:
+    def _button(self, event: Event, before: tuple[float, float]) -> list[object]:
         kind = "MOUSEBUTTONDOWN" if event.pressed else "MOUSEBUTTONUP"
         code = BUTTON_CODES[event.name]
         return [self._event(kind, pos=self.mouse_get_pos(), button=code, touch=False)]
 
-    def _move(self, event: Event, before: Any) -> list[Any]:
+    def _move(self, event: Event, before: tuple[float, float]) -> list[object]:
         rel = int(event.value[0] - before[0]), int(event.value[1] - before[1])
         buttons = tuple(map(int, self.mouse_get_pressed()))
         values = {"pos": self.mouse_get_pos(), "rel": rel, "buttons": buttons, "touch": False}
         return [self._event("MOUSEMOTION", **values)]
 
-    def _scroll(self, event: Event, before: Any) -> list[Any]:
+    def _scroll(self, event: Event, before: tuple[float, float]) -> list[object]:
         x, y = map(int, event.value)
         found = [self._event("MOUSEWHEEL", x=x, y=y, flipped=False, touch=False)]
         if y:
@@ -413,7 +416,7 @@ class _Pygame:
                 found.append(self._event(kind, **values))
         return found
 
-    def _resize(self, event: Event, before: Any) -> list[Any]:
+    def _resize(self, event: Event, before: tuple[float, float]) -> list[object]:
         width, height = map(int, event.value)
         if self._live is not None:  # the user has done it
             width, height = self._size = self._live.pixels()
@@ -425,14 +428,14 @@ class _Pygame:
             self._run.framebuffer.resize(self._size)
         return [self._event("VIDEORESIZE", size=self._size, w=width, h=height)]
 
-    def _close(self, event: Event, before: Any) -> list[Any]:
+    def _close(self, event: Event, before: tuple[float, float]) -> list[object]:
         return [self._event("QUIT")]
 
 
-def _among(event: Any, kinds: Any, excluded: Any) -> bool:
+def _among(event: Any, kinds: object, excluded: object) -> bool:
     """Return whether an event is of some types, given one or several, or None for all."""
 
-    def within(types: Any) -> bool:
+    def within(types: object) -> bool:
         return event.type in (types if isinstance(types, (list, tuple, set)) else (types,))
 
     return (kinds is None or within(kinds)) and not (excluded is not None and within(excluded))

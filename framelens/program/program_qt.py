@@ -122,12 +122,14 @@ class _Qt:
 
     # Drawing, in the widget's context.
 
-    def initialized(self, widget: Any, method: Callable[..., Any]) -> None:
+    def initialized(self, widget: object, method: Callable[..., object]) -> None:
         """Call initializeGL, if the program does: Qt calls it for contexts that do not last."""
         if self._inside:
             method(widget)
 
-    def resized(self, widget: Any, method: Callable[..., Any], width: int, height: int) -> None:
+    def resized(
+        self, widget: object, method: Callable[..., object], width: int, height: int
+    ) -> None:
         """Call resizeGL, once the widget has been initialized."""
         if self._inside:
             method(widget, width, height)
@@ -137,14 +139,14 @@ class _Qt:
                 self.run.framebuffer.resize((max(int(width), 1), max(int(height), 1)))
             self._call(method, widget, width, height)
 
-    def painted(self, widget: Any, method: Callable[..., Any]) -> None:
+    def painted(self, widget: object, method: Callable[..., object]) -> None:
         """Call paintGL, which draws a frame."""
         if self._inside:
             method(widget)
         elif not self.leaving:
             self._call(self._paint, widget, method)
 
-    def _call(self, method: Callable[..., Any], *args: Any) -> None:
+    def _call(self, method: Callable[..., object], *args: object) -> None:
         self._inside = True
         try:
             method(*args)
@@ -153,7 +155,7 @@ class _Qt:
         finally:
             self._inside = False
 
-    def _paint(self, widget: Any, method: Callable[..., Any]) -> None:
+    def _paint(self, widget: object, method: Callable[..., object]) -> None:
         if self.run.window is None:
             self._open(widget)
         elif widget is not self._widget:
@@ -186,7 +188,7 @@ class _Qt:
 
     # The event loop.
 
-    def begin(self, app: Any) -> None:
+    def begin(self, app: object) -> None:
         """Note the program's application."""
         self._app = app
 
@@ -259,17 +261,17 @@ class _Qt:
         for name in self.run.events.buttons:
             held |= self._named("MouseButton", f"{name.title()}Button")
         place = self.core.QPointF(x, y)
-        kind = self._named("Type", kind, self.core.QEvent)
-        self._send(self.gui.QMouseEvent(kind, place, place, button, held, self._mods()))
+        event = self._named("Type", kind, self.core.QEvent)
+        self._send(self.gui.QMouseEvent(event, place, place, button, held, self._mods()))
 
-    def _button(self, event: Event, before: Any) -> None:
+    def _button(self, event: Event, before: object) -> None:
         button = self._named("MouseButton", f"{event.name.title()}Button")
         self._mouse("MouseButtonPress" if event.pressed else "MouseButtonRelease", button)
 
-    def _move(self, event: Event, before: Any) -> None:
+    def _move(self, event: Event, before: object) -> None:
         self._mouse("MouseMove", self._named("MouseButton", "NoButton"))
 
-    def _scroll(self, event: Event, before: Any) -> None:
+    def _scroll(self, event: Event, before: object) -> None:
         place, turned = self.core.QPointF(*self.run.events.mouse), self.core.QPoint
         steps = turned(*(int(120 * value) for value in event.value))
         phase = self._named("ScrollPhase", "NoScrollPhase")
@@ -289,7 +291,7 @@ class _Qt:
         self.leaving = True
 
 
-def _say(kind: Any, place: Any, text: str) -> None:
+def _say(kind: object, place: object, text: str) -> None:
     if sys.stderr is not None and not any(words in text for words in NOT_SAID):
         print(text, file=sys.stderr)
 
@@ -348,17 +350,17 @@ def _widget(qt: _Qt, real: Any) -> Any:
     return QOpenGLWidget
 
 
-def _through(qt: _Qt, through: Callable[..., None], method: Callable[..., Any]) -> Any:
-    def called(self: Any, *args: Any) -> None:
+def _through(qt: _Qt, through: Callable[..., None], method: Callable[..., object]) -> object:
+    def called(self: object, *args: object) -> None:
         through(qt, self, method, *args)
 
     return called
 
 
-def _caught(qt: _Qt, method: Callable[..., Any]) -> Any:
+def _caught(qt: _Qt, method: Callable[..., object]) -> object:
     """Return a method that Qt calls, which lets no exception through to Qt."""
 
-    def called(self: Any, *args: Any) -> Any:
+    def called(self: object, *args: object) -> object:
         try:
             return method(self, *args)
         except BaseException as error:
@@ -462,7 +464,7 @@ class HeldTimer:
         """Let it fire once only."""
         self._once = once
 
-    def setTimerType(self, kind: Any) -> None:
+    def setTimerType(self, kind: object) -> None:
         """Do nothing: the held clock is exact."""
 
     @classmethod
@@ -477,13 +479,13 @@ class _Signal:
     """A signal without arguments."""
 
     def __init__(self) -> None:
-        self._connected: list[Callable[[], Any]] = []
+        self._connected: list[Callable[[], object]] = []
 
-    def connect(self, function: Callable[[], Any], *kind: Any) -> None:
+    def connect(self, function: Callable[[], object], *kind: object) -> None:
         """Let ``function`` be called."""
         self._connected.append(function)
 
-    def disconnect(self, function: Callable[[], Any] | None = None) -> None:
+    def disconnect(self, function: Callable[[], object] | None = None) -> None:
         """Let it be called no more; without one, none is."""
         self._connected = [each for each in self._connected if function not in (None, each)]
 

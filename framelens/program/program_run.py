@@ -10,7 +10,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
-from types import FrameType
+from types import FrameType, ModuleType, SimpleNamespace
 from typing import Any, Protocol
 
 from framelens.base.arguments import size
@@ -32,6 +32,14 @@ POLLS = 2
 
 Chain = tuple[tuple[str, int], ...]
 """The lines of a program that led to a call, (function, line), the outermost first."""
+
+
+EarlyCall = tuple[str, tuple[Any, ...], Any, Site]
+"""A call without a context: its function, arguments, result and line."""
+
+
+Library = ModuleType | SimpleNamespace
+"""GLFW as it is, or a copy of what is in it."""
 
 
 def chain(frame: FrameType | None, path: str) -> Chain:
@@ -75,9 +83,7 @@ class Window:
     hidden: bool = False  # on a screen, and not shown; or without a framebuffer of its own
     core_profile: bool = field(default=False, init=False)  # without fixed function
     early: tuple[str, int] | None = field(default=None, init=False)
-    early_calls: list[tuple[str, tuple[Any, ...], Any, Site]] = field(
-        default_factory=list, init=False
-    )
+    early_calls: list[EarlyCall] = field(default_factory=list, init=False)
     early_line: int = field(default=0, init=False)  # that comes too early, beside the opening one
     showing: Showing = field(default_factory=Showing, init=False)
 
@@ -85,7 +91,7 @@ class Window:
 class Observer(Protocol):
     """Who watches a program. The methods are called inside it, with its context current."""
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def make(self, name: str, function: Callable[..., object]) -> Callable[..., object]:
         """Return what takes the place of an OpenGL function (see framelens.gl.foreign)."""
 
     def opened(self, window: Window) -> None:
@@ -94,7 +100,7 @@ class Observer(Protocol):
     def frame_began(self, number: int) -> None:
         """Note that a frame begins."""
 
-    def frame_ended(self, number: int) -> Any:
+    def frame_ended(self, number: int) -> object:
         """Note that a frame is complete and not yet shown: its picture is in the back buffer.
 
         ``run`` returns what this returns for the last frame.
@@ -107,7 +113,7 @@ class Observer(Protocol):
 class Live(Protocol):
     """A user at the program's window, which then is visible, and a window of GLFW."""
 
-    def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
+    def attach(self, glfw: Library, window: object, keys: Mapping[int, str]) -> None:
         """Take GLFW as it is, the window, and the names of keys in events, by GLFW's numbers."""
 
     def events(self, wait: bool = False) -> list[Event]:
@@ -123,7 +129,7 @@ class Host(Protocol):
     A program takes its area for the whole window: the lower left part.
     """
 
-    window: Any
+    window: object
 
     def area(self) -> tuple[int, int]:
         """Return the area's size in the window system's coordinates."""
@@ -159,7 +165,7 @@ class Run:
         self.window: Window | None = None
         self.drawing = False  # whether the window is open
         self.failure: BaseException | None = None  # what ended the program, if not its frame
-        self.result: Any = None
+        self.result: object = None
         self.reason = ""  # why there is no window, if the toolkit said so
         self.over = False
         self.framebuffer: WindowFramebuffer | None = None  # in the place of the window's own
@@ -171,7 +177,9 @@ class Run:
         self._noticed: set[str] = set()
         self._early: tuple[str, int] | None = None
         self._early_chain: Chain = ()
-        self.early_calls: list[tuple[str, tuple[Any, ...], Any, Site]] = []  # without a context
+        self.early_calls: list[
+            tuple[str, tuple[object, ...], object, Site]
+        ] = []  # without a context
         self.showing = Showing()
         self._polls = 0  # since the last frame
         self._process = os.getpid()
@@ -241,7 +249,7 @@ class Run:
         self.drawing = False
         WindowFramebuffer.leave()
 
-    def called_early(self, name: str, args: tuple[Any, ...], result: Any, site: Site) -> None:
+    def called_early(self, name: str, args: tuple[object, ...], result: object, site: Site) -> None:
         """Note that the program calls OpenGL before it has a context."""
         if site.path != str(self.source.path):
             return
@@ -250,7 +258,7 @@ class Run:
             self._early = name, site.line
             self._early_chain = chain(sys._getframe(1), str(self.source.path))
 
-    def sized(self, width: Any, height: Any) -> tuple[int, int]:
+    def sized(self, width: object, height: object) -> tuple[int, int]:
         """Return the size of the window that the program asks for; end it if it is too large."""
         try:
             return size((width, height), f"{short(width)}x{short(height)}")

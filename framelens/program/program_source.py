@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType
-from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
@@ -91,7 +90,7 @@ class Source:
 class ProgramError(InputError):
     """A program that cannot be run to its frame; ``details`` is its own traceback, or ""."""
 
-    def __init__(self, template: str, details: str = "", /, **values: Any) -> None:
+    def __init__(self, template: str, details: str = "", /, **values: object) -> None:
         super().__init__(template, **values)
         self.details = details
 
@@ -210,7 +209,7 @@ def _imported_by_name(data: bytes, tree: ast.Module) -> Iterator[str]:
 BLOCKS = ("body", "orelse", "finalbody", "handlers", "cases")
 
 
-def _statements(node: Any) -> Iterator[Any]:
+def _statements(node: object) -> Iterator[object]:
     """Yield the statements inside a node; ast.walk looks at every expression too."""
     for name in BLOCKS:
         block = getattr(node, name, None)

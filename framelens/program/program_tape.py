@@ -67,7 +67,7 @@ class _Taping(ExitStack):
     """Observes a program: records its calls, and makes a tape of the frame that was asked for."""
 
     def __init__(
-        self, use: Callable[[Tape], Any], path: str, frame: int, edits: Edits | None
+        self, use: Callable[[Tape], object], path: str, frame: int, edits: Edits | None
     ) -> None:
         super().__init__()
         self._use = use
@@ -79,7 +79,7 @@ class _Taping(ExitStack):
         self._before: Buffers | None = None
         self._begin = 0
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def make(self, name: str, function: Callable[..., object]) -> Callable[..., object]:
         """Return what notes the calls of an OpenGL function."""
         return outermost(name, function, spec.draws(name))
 
@@ -108,13 +108,13 @@ class _Taping(ExitStack):
             self._start = self._state()
             self._before = Buffers.read(self._window.size()) if number else None
 
-    def frame_ended(self, number: int) -> Any:
+    def frame_ended(self, number: int) -> object:
         """Hand the tape on, if this is the frame that was asked for."""
         if number != self._frame:
             return None
         return self._used(None)
 
-    def _used(self, past: Past | None) -> Any:
+    def _used(self, past: Past | None) -> object:
         calls = self._recorder.calls
         if not calls:
             self._notices.append(f"{self._path}: has called nothing of OpenGL through PyOpenGL")
@@ -159,7 +159,7 @@ class _Following(_Taping):
     """Notes besides what came before the frame (see past.py)."""
 
     def __init__(
-        self, use: Callable[[Tape], Any], path: str, frame: int, edits: Edits | None
+        self, use: Callable[[Tape], object], path: str, frame: int, edits: Edits | None
     ) -> None:
         super().__init__(use, path, frame, edits)
         self._setters = Setters()
@@ -169,7 +169,7 @@ class _Following(_Taping):
         self._number = self._began = 0
         self._images: Origins | None = None
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def make(self, name: str, function: Callable[..., object]) -> Callable[..., object]:
         """Return what notes the calls of an OpenGL function."""
         if self._images is None:  # the toolkit is imported by now, and the program not begun
             self._images = self.enter_context(noted())
@@ -204,11 +204,11 @@ class _Following(_Taping):
         super().frame_began(number)
         self._began = len(self._recorder.calls)
 
-    def frame_ended(self, number: int) -> Any:
+    def frame_ended(self, number: int) -> object:
         """Hand the tape on, if this is the frame that was asked for."""
         return None if number != self._frame else self._used(self._past(None))
 
-    def failed(self, error: BaseException) -> Any:
+    def failed(self, error: BaseException) -> object:
         """Hand the tape on as far as it goes: OpenGL has refused a call, which ends the program."""
         if not hasattr(error, "baseOperation"):
             return None  # an error of another kind, which says itself what it is

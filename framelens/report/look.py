@@ -46,21 +46,21 @@ class Html:
 class PixelHistory(Html):
     """A pixel's history; ``rows`` are those of `framelens pixel --json`."""
 
-    rows: Sequence[dict[str, Any]]
+    rows: Sequence[dict[str, object]]
 
 
 @dataclass(frozen=True)
 class CallList(Html):
     """The calls of a frame; ``calls`` are as of `framelens trace --json`."""
 
-    calls: Sequence[dict[str, Any]]
+    calls: Sequence[dict[str, object]]
 
 
 @dataclass(frozen=True)
 class Reason(Html):
     """Why a picture is black, or wrong at a pixel; ``found`` is as of `framelens why --json`."""
 
-    found: dict[str, Any]
+    found: dict[str, object]
 
 
 class Look:
@@ -118,7 +118,7 @@ def look(
     path: str | os.PathLike[str],
     frame: int = 0,
     keys: str = "",
-    events: Sequence[Mapping[str, Any]] = (),
+    events: Sequence[Mapping[str, object]] = (),
     backend: str = "auto",
 ) -> Look:
     """Return a frame of a PyOpenGL program, by its path, as a :class:`Look`.
@@ -185,8 +185,8 @@ def _strip(target: Target, request: strip.Request) -> tuple[str, list[str]]:
 
 def _pixel(
     target: Target, place: tuple[int, int], language: str
-) -> tuple[tuple[str, list[dict[str, Any]]], list[str]]:
-    def read(tape: Tape) -> tuple[str, list[dict[str, Any]]]:
+) -> tuple[tuple[str, list[dict[str, object]]], list[str]]:
+    def read(tape: Tape) -> tuple[str, list[dict[str, object]]]:
         rows = history(tape, *place)
         html = in_cells.pixel(language, target.name, place, rows)
         return html, [row.as_json() for row in rows]
@@ -196,11 +196,11 @@ def _pixel(
 
 def _calls(
     target: Target, element: str | None, language: str
-) -> tuple[tuple[str, list[dict[str, Any]]], list[str]]:
+) -> tuple[tuple[str, list[dict[str, object]]], list[str]]:
     if element is not None:
         target.check_element(element)
 
-    def read(tape: Tape) -> tuple[str, list[dict[str, Any]]]:
+    def read(tape: Tape) -> tuple[str, list[dict[str, object]]]:
         chosen = trace_text.chosen(tape.calls, element, None)
         return in_cells.calls(language, chosen), [call.as_json() for call in chosen]
 

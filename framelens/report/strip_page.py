@@ -2,9 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
 from framelens.base.fonts import font, writable
 from framelens.report.strip_pictures import Legend, Tones
@@ -84,7 +83,7 @@ def scaled(picture: Image.Image | str, box: tuple[int, int], sharp: bool) -> Ima
     return plate
 
 
-def wrapped(text: str, face: Any, width: int, most: int = 2) -> list[str]:
+def wrapped(text: str, face: ImageFont.FreeTypeFont, width: int, most: int = 2) -> list[str]:
     """Break a text into at most ``most`` lines of ``width`` pixels; "…" ends one that is cut."""
     lines, words = [""], writable(text, face).split(" ")
     for word in words:
@@ -98,7 +97,7 @@ def wrapped(text: str, face: Any, width: int, most: int = 2) -> list[str]:
     return [_cut(line, face, width) for line in lines]
 
 
-def _cut(line: str, face: Any, width: int) -> str:
+def _cut(line: str, face: ImageFont.FreeTypeFont, width: int) -> str:
     if face.getlength(line) <= width:
         return line
     while line and face.getlength(line + "…") > width:

@@ -4,10 +4,11 @@ import ast
 import ctypes
 import math
 import re
-from collections.abc import Sequence
-from typing import Any, NoReturn
+from collections.abc import Iterable, Sequence
+from typing import Any, NoReturn, SupportsFloat, SupportsInt
 
 import numpy as np
+from numpy.typing import DTypeLike
 
 from framelens.base.errors import InputError, short
 from framelens.spec.spec_arguments import enumerant, function, legal, number, parameter, value_of
@@ -44,7 +45,7 @@ def written(name: str, index: int, args: Sequence[Any]) -> str:
     return _plain(value, kind, known.type if known else "")
 
 
-def _mask(found: Parameter, bits: Sequence[str], value: Any) -> str:
+def _mask(found: Parameter, bits: Sequence[str], value: SupportsInt) -> str:
     """Write a mask as its bits' names; bits without a name in hexadecimal."""
     rest = int(value) & 0xFFFFFFFF
     values = {bit: int(value_of(bit)) for bit in bits}
@@ -56,7 +57,7 @@ def _mask(found: Parameter, bits: Sequence[str], value: Any) -> str:
     return " | ".join(parts + [f"0x{rest:X}"] * (rest > 0)) or "0"
 
 
-def _plain(value: Any, kind: str, type_: str) -> str:
+def _plain(value: object, kind: str, type_: str) -> str:
     """Write a value that has no name."""
     if isinstance(value, ctypes.c_void_p):
         return f"ctypes.c_void_p({value.value or 0})"
@@ -81,7 +82,7 @@ def _number(value: Any, type_: str) -> str:
     return repr(value.item() if isinstance(value, np.generic) else int(value))
 
 
-def parsed(name: str, index: int, args: Sequence[Any], text: str) -> Any:
+def parsed(name: str, index: int, args: Sequence[Any], text: str) -> object:
     """Return the value that a text means as an argument: the reverse of :func:`written`.
 
     A vector becomes an array of the function's type and of the given argument's shape. InputError
@@ -132,7 +133,7 @@ def _whole(name: str) -> bool:
     return known is not None and "int" in TYPES.get(known.type, ("",))[0]
 
 
-def _same_number(text: str, value: Any) -> bool:
+def _same_number(text: str, value: SupportsFloat) -> bool:
     try:
         return float(text) == float(value)
     except ValueError:
@@ -158,7 +159,7 @@ def _bits(name: str, found: Parameter, allowed: Sequence[str], text: str) -> int
     return mask
 
 
-def _union(masks: Any) -> int:
+def _union(masks: Iterable[int]) -> int:
     found = 0
     for mask in masks:
         found |= mask
@@ -210,7 +211,7 @@ def _vector(name: str, found: Parameter, given: Any, text: str) -> np.ndarray:
     return array.reshape(np.shape(given)) if np.size(given) == count else array
 
 
-def _dtype(name: str, given: object, of: str = "") -> Any:
+def _dtype(name: str, given: object, of: str = "") -> DTypeLike:
     """Return the type of numbers that a function reads from an array."""
     if isinstance(given, np.ndarray):
         return given.dtype

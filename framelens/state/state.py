@@ -25,11 +25,10 @@ framebuffers. They are bound by their names, and must exist where a state is res
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from framelens.gl.raw import raw
 from framelens.spec.spec import parsed
-from framelens.state.state_reading import State, StateError, plan, read_now, whole
+from framelens.state.state_reading import State, StateError, Values, plan, read_now, whole
 from framelens.state.state_setting import apply
 from framelens.state.state_variables import DEFAULTS
 
@@ -103,7 +102,7 @@ def _push_again(
 
 
 def _states_above(
-    levels: Sequence[Mapping[str, Any]], target: Mapping[str, object]
+    levels: Sequence[Values], target: Mapping[str, object]
 ) -> list[dict[str, object]]:
     """Return for each push the state that is current until the next one."""
     states: list[dict[str, object]] = []
@@ -119,7 +118,7 @@ def _values(state: Mapping[str, object]) -> State:
     return {name: value for name, value in state.items() if "ATTRIB_STACK" not in name}
 
 
-def restore(state: Mapping[str, Any]) -> None:
+def restore(state: Values) -> None:
     """Set the current context, new or used, to ``state``; see above for what cannot be set.
 
     Whatever half a frame leaves open is closed first: glBegin, a display list that is compiled,
@@ -198,9 +197,7 @@ def difference(
 SINGLE_OR_DOUBLE = ("GL_FRONT", "GL_BACK", "GL_COLOR_ATTACHMENT0")
 
 
-def changed(
-    state: Mapping[str, Any], size: tuple[int, int] | None = None
-) -> dict[str, list[object]]:
+def changed(state: Values, size: tuple[int, int] | None = None) -> dict[str, list[object]]:
     """Return what differs from the initial state, name to [initial value, value].
 
     ``size`` is that of the window, in pixels: initially the viewport and the scissor box cover it.

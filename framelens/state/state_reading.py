@@ -6,7 +6,7 @@ them take a millisecond, leave no trace in a recording and fetch no error.
 
 import ctypes
 import functools
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
@@ -29,6 +29,7 @@ from framelens.state.state_tables import (
 from framelens.state.state_variables import VARIABLES
 
 State = dict[str, Any]
+Values = Mapping[str, Any]  # the same, where it is only read
 
 
 class StateError(InputError):
@@ -166,7 +167,7 @@ def read_now() -> State:
 def read_some(names: Iterable[str]) -> State:
     """Return those of the variables that are in this context, without the stacks and images."""
     todo, found = plan(), {}
-    by_unit: dict[int, list[tuple[str, Callable[[], Any]]]] = {}
+    by_unit: dict[int, list[tuple[str, Callable[[], object]]]] = {}
     for name in names:
         if name not in todo.single:
             continue

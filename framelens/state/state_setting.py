@@ -1,12 +1,12 @@
 """Setting the classic state: from the state that is to another one, by the calls that differ."""
 
 import ctypes
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import takewhile
 from typing import Any
 
 from framelens.gl.raw import raw
-from framelens.state.state_reading import TIGHT, State, StateError, enum, read_now
+from framelens.state.state_reading import TIGHT, State, StateError, Values, enum, read_now
 from framelens.state.state_tables import ARRAYS, DOUBLE, FLAG, FLOAT, IDENTITY, UNITS
 from framelens.state.state_variables import VARIABLES, Variable
 
@@ -64,7 +64,10 @@ def _bind_containers(now: State, target: Mapping[str, object]) -> None:
     now.update({name: value for name, value in read_now().items() if name in now})
 
 
-def _set_images(now: State, target: Mapping[str, Any]) -> None:
+Number = type[ctypes.c_float] | type[ctypes.c_double] | type[ctypes.c_int] | type[ctypes.c_uint]
+
+
+def _set_images(now: State, target: Values) -> None:
     """Set the polygon stipple and the pixel maps, which OpenGL reads through the pixel store."""
     names = [name for name in VARIABLES if name.startswith("GL_PIXEL_MAP_")]
     names = [name for name in names if now[name] != target[name]]
@@ -86,7 +89,7 @@ def _set_images(now: State, target: Mapping[str, Any]) -> None:
         raw.glPixelMapfv(enum(name), len(values), _array(values))
 
 
-def _set_raster(now: State, target: Mapping[str, Any]) -> None:
+def _set_raster(now: State, target: Values) -> None:
     """Set the raster position with what belongs to it; its fourth component becomes 1."""
     mine = [name for name in now if RASTER in name]
     if all(now[name] == target[name] for name in mine):
@@ -119,7 +122,7 @@ def _in_eye_space(name: str) -> bool:
     return name.endswith((".equation", ".GL_POSITION", ".GL_SPOT_DIRECTION", ".GL_EYE_PLANE"))
 
 
-def _set_stacks(now: State, target: Mapping[str, Any]) -> None:
+def _set_stacks(now: State, target: Values) -> None:
     """Set what is in eye space, under the identity, and then the matrix stacks."""
     placed = [name for name in now if _in_eye_space(name) and now[name] != target[name]]
     if placed:
@@ -184,7 +187,7 @@ def _set_rest(now: State, target: Mapping[str, object]) -> None:
     _set_together(now, target)
 
 
-def _set_together(now: State, target: Mapping[str, Any]) -> None:
+def _set_together(now: State, target: Values) -> None:
     """Set the variables that share a call with others, in ways the table does not describe."""
 
     def differ(*names: str) -> bool:
@@ -267,7 +270,7 @@ def _set_arrays(now: State, target: Mapping[str, object]) -> None:
         raw.glBindBuffer(enum("GL_ARRAY_BUFFER"), target[name])
 
 
-def _set_modes(now: State, target: Mapping[str, Any]) -> None:
+def _set_modes(now: State, target: Values) -> None:
     """Begin or end selection, feedback and an occlusion query."""
     query = "GL_SAMPLES_PASSED.GL_CURRENT_QUERY"
     if now[query] != target[query]:
@@ -293,7 +296,7 @@ def _set_modes(now: State, target: Mapping[str, Any]) -> None:
         raw.glPushName(0)
 
 
-def _kept(purpose: str, kind: Any, size: int) -> object:
+def _kept(purpose: str, kind: Number, size: int) -> object:
     key = (purpose, size)
     if key not in _memory:
         _memory[key] = (kind * max(1, size))()
@@ -308,7 +311,7 @@ def _numbers(variable: Variable, value: object) -> list[object]:
     return [int(v) if isinstance(v, bool) else v for v in many]
 
 
-def _array(values: Any, kind: Any = ctypes.c_float) -> object:
+def _array(values: Sequence[Any], kind: Number = ctypes.c_float) -> object:
     return (kind * len(values))(*values)
 
 
@@ -321,7 +324,7 @@ def _call(variable: Variable, target: Mapping[str, object]) -> None:
             args += _numbers(variable, target[variable.name])
         elif word == "&":
             numbers = _numbers(variable, target[variable.name])
-            kinds = {FLOAT: ctypes.c_float, DOUBLE: ctypes.c_double}
+            kinds: dict[str, Number] = {FLOAT: ctypes.c_float, DOUBLE: ctypes.c_double}
             args.append(_array(numbers, kinds.get(str(variable.kind), ctypes.c_int)))
         elif word.startswith("$"):
             args += _numbers(VARIABLES[word[1:]], target[word[1:]])

@@ -31,10 +31,10 @@ if sys.platform == "win32":
             """OSError where the system has none."""
             self.__setstate__({"size": size, "name": f"landscape-{uuid.uuid4()}"})
 
-        def __getstate__(self) -> dict[str, Any]:
+        def __getstate__(self) -> dict[str, object]:
             return {"size": self._size, "name": self._name}
 
-        def __setstate__(self, state: dict[str, Any]) -> None:
+        def __setstate__(self, state: dict[str, object]) -> None:
             self._size, self._name = state["size"], state["name"]
             self.memory = mmap.mmap(-1, self._size, self._name)
 
@@ -56,7 +56,7 @@ else:
             os.ftruncate(self._file, size)
             self.memory = mmap.mmap(self._file, 0)
 
-        def __getstate__(self) -> dict[str, Any]:
+        def __getstate__(self) -> dict[str, object]:
             return {"file": DupFd(self._file)}
 
         def __setstate__(self, state: dict[str, Any]) -> None:
@@ -80,7 +80,7 @@ if sys.platform == "linux":
         def __init__(self) -> None:
             self._file = os.eventfd(0)
 
-        def __getstate__(self) -> dict[str, Any]:
+        def __getstate__(self) -> dict[str, object]:
             return {"file": DupFd(self._file)}
 
         def __setstate__(self, state: dict[str, Any]) -> None:

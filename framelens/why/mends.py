@@ -4,17 +4,17 @@ Suspects hand them over; see suspects.py for the plain ones.
 """
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 
 from framelens.gl.seam import Call, GluCall, gl
+from framelens.program.program_run import Chain
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import load, matrix_of, with_matrix
-from framelens.why.trial import Change
+from framelens.why.trial import Action, Change
 
 
-def glu_function(name: str) -> Any:
+def glu_function(name: str) -> Callable[..., object]:
     """Return a function of GLU; PyOpenGL must be bound to a platform before it is imported."""
     from framelens.gl.glu import FUNCTIONS
 
@@ -50,7 +50,7 @@ def instead_of_glu(survey: Survey, note: GluCall, args: Sequence[float]) -> Chan
             return Change(start=[load(mode, new)] if new is not None else ())
         fixed = np.linalg.inv(old) @ new
         return with_matrix(mode, lambda d: matrix_of(d, mode) @ fixed, survey.shapes)
-    instead: dict[str, Any] = {str(number): () for number in numbers}
+    instead: dict[str, Sequence[Action]] = {str(number): () for number in numbers}
     if not instead:
         if note.begin > frame:
             return Change(after={str(note.begin - 1): [lambda: function(*args)]})
@@ -59,7 +59,7 @@ def instead_of_glu(survey: Survey, note: GluCall, args: Sequence[float]) -> Chan
     return Change(instead=instead)
 
 
-def _glu_matrix(name: str, args: Sequence[Any]) -> np.ndarray | None:
+def _glu_matrix(name: str, args: Sequence[object]) -> np.ndarray | None:
     """Return the matrix that a call of GLU multiplies by, found by making it."""
     gl.glPushMatrix()
     gl.glLoadIdentity()
@@ -78,10 +78,10 @@ def always(matrix: np.ndarray) -> Callable[[Drawn], np.ndarray]:
 
 def undone(survey: Survey, function: str) -> Change | None:
     """Return the change that undoes, after each run of a function, what it did to the matrix."""
-    before: dict[str, Any] = {}
-    after: dict[str, Any] = {}
+    before: dict[str, list[Action]] = {}
+    after: dict[str, list[Action]] = {}
     chains = survey.past.chains if survey.past else {}
-    run: Any = None
+    run: tuple[Chain, int] | None = None
     last = ""
     for call in survey.calls:
         chain = chains.get(call.number)

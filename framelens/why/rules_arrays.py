@@ -6,7 +6,7 @@ stride fit a row of the data? Then the indices, and what a display list holds.
 
 import ast
 import ctypes
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,7 @@ from framelens.spec.spec import draws
 from framelens.why.geometry import LEAST, MODES
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import Suspect, written
-from framelens.why.trial import Change
+from framelens.why.trial import Action, Change
 
 FLOAT = 0x1406  # GL_FLOAT
 POINTERS = {
@@ -166,7 +166,7 @@ def _pointer(
         yield from _stride(draw, kind, call, buffer, stride, row, wanted.itemsize * size)
 
 
-def _rows(draw: Drawn, buffer: int, buffers: Buffers, pointer: Any) -> np.ndarray | None:
+def _rows(draw: Drawn, buffer: int, buffers: Buffers, pointer: object) -> np.ndarray | None:
     """Return the array that a pointer alone reads; None for one of several in a buffer."""
     if isinstance(pointer, np.ndarray):
         return pointer
@@ -238,7 +238,7 @@ def _other_size(
     )
 
 
-def _pointed(draw: Drawn, call: Call, args: tuple[Any, ...]) -> Change:
+def _pointed(draw: Drawn, call: Call, args: tuple[object, ...]) -> Change:
     """Return the change that makes a draw with another pointer in the place of one."""
 
     def act() -> None:
@@ -325,11 +325,11 @@ def _handed(node: ast.AST, call: Call) -> list[str]:
     return [name for name in names if not name.split(".")[-1].startswith("GL_")]
 
 
-def _after_upload(upload: Call, buffer: int, array: np.ndarray) -> dict[str, Any]:
+def _after_upload(upload: Call, buffer: int, array: np.ndarray) -> dict[str, Sequence[Action]]:
     return {str(upload.number): [_refill(buffer, array)]}
 
 
-def _refill(buffer: int, array: np.ndarray, target: int = ARRAY_BUFFER) -> Any:
+def _refill(buffer: int, array: np.ndarray, target: int = ARRAY_BUFFER) -> Callable[[], None]:
     def act() -> None:
         name = gl.GL_ARRAY_BUFFER_BINDING
         if target == ELEMENTS:
@@ -494,7 +494,7 @@ def _count_of_faces(draw: Drawn) -> Iterator[Suspect]:
     )
 
 
-def _pointed_all(draw: Drawn, count: int) -> Any:
+def _pointed_all(draw: Drawn, count: int) -> Callable[[], None]:
     def act() -> None:
         for name, given in draw.call.arrays:
             getattr(gl, name)(*given)

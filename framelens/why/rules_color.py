@@ -4,8 +4,7 @@ A colour of glColor3f goes from 0 to 1, one of glColor3ub from 0 to 255. Letters
 have the place and the colour of the last glRasterPos: later transformations and colours come late.
 """
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from framelens.gl.seam import Call, gl
 from framelens.why.geometry import components
 from framelens.why.survey import DRAWN_TEXT, Drawn, Survey
 from framelens.why.suspects import Suspect, line_of, written
-from framelens.why.trial import Change
+from framelens.why.trial import Action, Change
 
 
 def ranges(survey: Survey) -> Iterator[Suspect]:
@@ -34,7 +33,7 @@ def ranges(survey: Survey) -> Iterator[Suspect]:
 
     if large:
         first, numbers = next(iter(large.values()))
-        instead: dict[str, Any] = {}
+        instead: dict[str, Sequence[Action]] = {}
         for place, (call, values) in large.items():
             scaled = [v / 255.0 for v in values[:3]]
             alpha = values[3] / 255.0 if len(values) > 3 and values[3] > 1 else (values + [1.0])[3]

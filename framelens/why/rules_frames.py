@@ -5,10 +5,11 @@ buffers are cleared, state that the frame before has left, and matrices that gro
 frame.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from framelens.gl.seam import Call, gl
+from framelens.program.past import Past
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import Suspect, cap, is_identity, load, with_state, written
 from framelens.why.trial import Action, Change
@@ -116,7 +117,7 @@ def _texture(name: str, value: object) -> list[Action]:
     return [("glActiveTexture", (gl.GL_TEXTURE0,)), *_flag("GL_TEXTURE_2D", value)]
 
 
-LEAKING: dict[str, Any] = {
+LEAKING: dict[str, Callable[[str, Any], Sequence[Action]]] = {
     **dict.fromkeys(FLAGS, _flag),
     "GL_TEXTURE0.GL_TEXTURE_2D": _texture,
     "GL_VIEWPORT": lambda n, v: [("glViewport", tuple(int(each) for each in v))],
@@ -219,7 +220,7 @@ def accumulated(survey: Survey) -> Iterator[Suspect]:
     yield from _drifted(survey)
 
 
-def _same(past: Any, name: str) -> bool:
+def _same(past: Past, name: str) -> bool:
     first, now = past.first.get(name), past.now.get(name)
     return first is None or now is None or list(first) == list(now)
 

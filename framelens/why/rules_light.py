@@ -4,12 +4,12 @@ Is a light on at all, and where is it? Has each vertex a normal, of length 1, to
 light? Which colour does the material have: that of glColor, or one left by something else?
 """
 
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from framelens.gl.seam import Call, GluCall, gl
+from framelens.program.past import Past
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import (
     Suspect,
@@ -264,7 +264,7 @@ def _share(draw: Drawn, name: str) -> float:
     return float(cosines[facing].mean()) if facing.any() else float("nan")
 
 
-def _in_modelview(act: Any) -> Any:
+def _in_modelview(act: Callable[[], object]) -> Callable[[], None]:
     def acted() -> None:
         mode = int(gl.glGetIntegerv(gl.GL_MATRIX_MODE))
         gl.glMatrixMode(gl.GL_MODELVIEW)
@@ -358,7 +358,7 @@ WITH_VERTICES = ("glBegin", "glDrawArrays", "glDrawElements", "glDrawRangeElemen
 
 def _with_normals(draws: Sequence[Drawn]) -> Change:
     """Return the change that draws each face with its own normal, towards the eye."""
-    instead: dict[str, Any] = {}
+    instead: dict[str, Sequence[Action]] = {}
     for draw in draws:
         found = draw.vertices
         assert found is not None
@@ -391,7 +391,7 @@ def _with_normals(draws: Sequence[Drawn]) -> Change:
     return Change(instead=instead)
 
 
-def _as_triangles(draw: Drawn, normal_of: dict[int, tuple[float, ...]]) -> object:
+def _as_triangles(draw: Drawn, normal_of: dict[int, tuple[float, ...]]) -> Action:
     found = draw.vertices
     assert found is not None
 
@@ -772,7 +772,7 @@ def moving_light(survey: Survey) -> Iterator[Suspect]:
         )
 
 
-def _moves(past: Any, look: GluCall) -> bool:
+def _moves(past: Past, look: GluCall) -> bool:
     """Return whether the camera of an earlier frame stood elsewhere."""
     if past.frame == 0:
         return False

@@ -25,7 +25,7 @@ from framelens.why.mends import (
 )
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import Suspect, at_of, lens, matrix_of, textured, with_matrix, written
-from framelens.why.trial import NOTHING, Change
+from framelens.why.trial import NOTHING, Action, Change
 
 
 def matrices(survey: Survey) -> Iterator[Suspect]:
@@ -107,11 +107,11 @@ def _planes(near: float, far: float) -> tuple[float, float]:
     return near, far if far > near else near * 1000.0
 
 
-def _number(value: Any) -> bool:
+def _number(value: object) -> bool:
     return isinstance(value, (int, float, np.generic)) and not isinstance(value, str)
 
 
-def _with_projection(survey: Survey, matrix: Any, mode: str = "GL_PROJECTION") -> Change:
+def _with_projection(survey: Survey, matrix: np.ndarray, mode: str = "GL_PROJECTION") -> Change:
     if mode != "GL_PROJECTION":
         return with_matrix(
             "GL_MODELVIEW", lambda d: matrix_of(d, "GL_MODELVIEW") @ matrix, survey.shapes
@@ -542,7 +542,7 @@ def _scaled_again(survey: Survey) -> Iterator[Suspect]:
     """A scale that piles up from object to object: nothing undoes it in between."""
     for draw in reversed(survey.shapes):
         chain = draw.setters.chained.get("GL_MODELVIEW_MATRIX", [])
-        lines: dict[Any, list[Call]] = {}
+        lines: dict[object, list[Call]] = {}
         for call in chain:
             if call.name.startswith("glScale") and call.number >= survey.tape.begin:
                 lines.setdefault((call.site.path, call.site.line), []).append(call)
@@ -641,7 +641,7 @@ def _popped(survey: Survey) -> Change | None:
     """
     chains = survey.past.chains if survey.past else {}
     open_: list[Chain] = []  # of each glPushMatrix that waits for its glPopMatrix
-    before: dict[str, Any] = {}
+    before: dict[str, list[Action]] = {}
     for call in survey.calls:
         chain = chains.get(call.number)
         if chain is None:

@@ -4,7 +4,6 @@ Behind the eye, before the near plane, beyond the far one, beside; and what a ne
 """
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -91,7 +90,7 @@ def _placed(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
 
 
 def _behind(
-    survey: Survey, mine: list[Drawn], values: dict[str, Any], size: float
+    survey: Survey, mine: list[Drawn], values: dict[str, float], size: float
 ) -> Iterator[Suspect]:
     tried = False
     for suspect in _turned_round(survey, mine, values):
@@ -117,7 +116,7 @@ def _behind(
     )
 
 
-def _turned_round(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:
+def _turned_round(survey: Survey, mine: list[Drawn], values: dict[str, float]) -> Iterator[Suspect]:
     """Yield the translations towards the eye that would be right with the other sign."""
     chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
     for call in reversed(chain):
@@ -143,7 +142,7 @@ def _turned_round(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> 
 
 
 def _other_plane(
-    survey: Survey, mine: list[Drawn], plane: str, new: float, values: dict[str, Any]
+    survey: Survey, mine: list[Drawn], plane: str, new: float, values: dict[str, float]
 ) -> Suspect:
     call = mine[0].setter("GL_PROJECTION_MATRIX")
     at = at_of(survey, call)
@@ -177,7 +176,7 @@ def _planes(draw: Drawn) -> tuple[bool, float, float]:
     return perspective(projection), *near_far(projection)
 
 
-def _units(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:
+def _units(survey: Survey, mine: list[Drawn], values: dict[str, float]) -> Iterator[Suspect]:
     """Yield that pixels are given where OpenGL, without a projection, has -1 to 1."""
     width, height = survey.tape.size
     points = np.concatenate([d.placed.eye for d in mine if d.placed is not None])[:, :3]
@@ -199,7 +198,7 @@ def _units(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterato
         )
 
 
-def _beside(survey: Survey, mine: list[Drawn], values: dict[str, Any]) -> Iterator[Suspect]:
+def _beside(survey: Survey, mine: list[Drawn], values: dict[str, float]) -> Iterator[Suspect]:
     """Yield that a function's transformations are not undone, and push others out of the view."""
     chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
     loading = {call.site.function for call in chain if call.name.startswith("glLoad")}
@@ -350,7 +349,7 @@ def near_cuts(survey: Survey) -> Iterator[Suspect]:
             mine.append(draw)
 
     if mine:
-        values: dict[str, Any] = {"near": near_far(mine[0].state["GL_PROJECTION_MATRIX"])[0]}
+        values: dict[str, float] = {"near": near_far(mine[0].state["GL_PROJECTION_MATRIX"])[0]}
         placed = mine[0].placed
         assert placed is not None
         nearest, farthest = placed.distances

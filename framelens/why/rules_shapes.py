@@ -4,7 +4,6 @@ Not a number, no area, crossed, concave, too few vertices or none; and calls tha
 """
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -21,7 +20,7 @@ from framelens.why.suspects import (
     with_state,
     written,
 )
-from framelens.why.trial import Change
+from framelens.why.trial import Action, Change
 
 
 def shapes(survey: Survey) -> Iterator[Suspect]:
@@ -304,7 +303,7 @@ def _vertex_call(draw: Drawn, found: Vertices, index: int) -> Call:
 
 
 def _crossed(survey: Survey, draw: Drawn, found: Vertices, bad: Sequence[int]) -> Suspect:
-    instead: dict[str, Any] = {}
+    instead: dict[str, Sequence[Action]] = {}
     for index in bad:
         face = found.faces[index]
         a, b, c, d = (found.positions[k] for k in face)
@@ -352,7 +351,7 @@ def _concave(survey: Survey, draw: Drawn, found: Vertices, bad: Sequence[int]) -
         gl.glEnd()
 
     steps = draw.steps
-    instead: dict[str, Any] = {step.place: () for step in steps if step.place}
+    instead: dict[str, Sequence[Action]] = {step.place: () for step in steps if step.place}
     instead[steps[-1].place] = [act]
     return Suspect(
         "concave",
@@ -393,11 +392,11 @@ def ears(points: np.ndarray) -> list[tuple[int, int, int]]:
     return [*found, (left[0], left[1], left[2])]
 
 
-def _turn(a: Any, b: Any, c: Any) -> float:
+def _turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> float:
     return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
 
-def _within(p: Any, a: Any, b: Any, c: Any) -> bool:
+def _within(p: np.ndarray, a: np.ndarray, b: np.ndarray, c: np.ndarray) -> bool:
     return _turn(a, b, p) >= 0 and _turn(b, c, p) >= 0 and _turn(c, a, p) >= 0
 
 

@@ -5,8 +5,8 @@ depth tests, the masks, blending, fog, clip planes. Then come tests that are mis
 the wrong fragments pass.
 """
 
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -52,7 +52,7 @@ def _of(draws: Sequence[Drawn], name: str, value: object = True) -> list[Drawn]:
     return [draw for draw in draws if draw.state.get(name) == value]
 
 
-def _setter(draws: Sequence[Drawn], name: str) -> Any:
+def _setter(draws: Sequence[Drawn], name: str) -> Call | None:
     return draws[0].setter(name)
 
 
@@ -78,7 +78,7 @@ def _tested(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
 
 
 def _lift(
-    cause: str, test: str, draws: list[Drawn], strength: float, **values: Any
+    cause: str, test: str, draws: list[Drawn], strength: float, **values: str
 ) -> Iterator[Suspect]:
     """Yield that a test stops those of the draws for which it is on; the change disables it."""
     mine = _of(draws, test)
@@ -116,8 +116,7 @@ def _scissored(draws: list[Drawn]) -> Iterator[Suspect]:
 def _clipped(draws: list[Drawn]) -> Iterator[Suspect]:
     for plane in range(6):
         for suspect in _lift("clip-plane", f"GL_CLIP_PLANE{plane}", draws, 78):
-            suspect.values["plane"] = plane
-            yield suspect
+            yield replace(suspect, values={**suspect.values, "plane": plane})
 
 
 def _color_masked(survey: Survey, draws: list[Drawn]) -> Iterator[Suspect]:
@@ -257,11 +256,11 @@ def _culled_by_winding(mine: list[Drawn], strength: float) -> Suspect:
     )
 
 
-def _line(call: Any) -> int:
+def _line(call: Call | None) -> int:
     return call.site.line if call is not None else 0
 
 
-def _negative_scale(draw: Drawn) -> Any:
+def _negative_scale(draw: Drawn) -> Call | None:
     for call in reversed(draw.setters.chained.get("GL_MODELVIEW_MATRIX", [])):
         if call.name.startswith("glScale") and np.prod([float(a) for a in call.args[:3]]) < 0:
             return call
@@ -749,7 +748,7 @@ def overdrawn(survey: Survey) -> Iterator[Suspect]:
         )
 
 
-def _again(draw: Drawn) -> Any:
+def _again(draw: Drawn) -> Callable[[], None]:
     def act() -> None:
         modelview, projection = (
             np.array(gl.glGetDoublev(cap(f"GL_{mode}_MATRIX"))) for mode in MODES

@@ -6,7 +6,6 @@ whether it is bound and enabled, and what the coordinates say.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -56,7 +55,10 @@ def uploads(survey: Survey) -> list[Upload]:
     return found
 
 
-def image_of(call: Call) -> tuple[int, int, int, Any] | None:
+Image = tuple[int, int, int, np.ndarray]  # width, height, channels, pixels
+
+
+def image_of(call: Call) -> Image | None:
     """Return width, height, channels and pixels of a glTexImage2D of unsigned bytes."""
     if len(call.args) < 9 or int(call.args[7]) != BYTE or int(call.args[6]) not in CHANNELS:
         return None
@@ -70,7 +72,7 @@ def image_of(call: Call) -> tuple[int, int, int, Any] | None:
     return int(call.args[3]), int(call.args[4]), CHANNELS[int(call.args[6])], array
 
 
-def _upload_again(call: Call, texture: int, pixels: Any, channels: int = 0) -> Any:
+def _upload_again(call: Call, texture: int, pixels: np.ndarray, channels: int = 0) -> Action:
     """Return the action that gives a texture its image again, from other pixels.
 
     They have so many ``channels``, 0 for those that the call says.
@@ -143,7 +145,7 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
         yield from _upside_down(survey, call, texture, image)
 
 
-def _channels(call: Call, image: tuple[int, int, int, Any]) -> int:
+def _channels(call: Call, image: Image) -> int:
     """Return how many channels an image has, if it is not as many as the call says, else 0.
 
     An array tells by its last dimension; bytes by their number.
@@ -156,7 +158,7 @@ def _channels(call: Call, image: tuple[int, int, int, Any]) -> int:
     return others[0] if len(shape) < 2 and channels in (3, 4) and others else 0
 
 
-def _otherwise(upload: Upload, image: tuple[int, int, int, Any], channels: int) -> Suspect:
+def _otherwise(upload: Upload, image: Image, channels: int) -> Suspect:
     """Suspect that an image has more or fewer channels than its format says."""
     width, height, said, pixels = image
     again = pixels[: width * height * channels]
@@ -171,7 +173,7 @@ def _otherwise(upload: Upload, image: tuple[int, int, int, Any], channels: int) 
     )
 
 
-def _upside_down(survey: Survey, call: Call, texture: int, image: Any) -> Iterator[Suspect]:
+def _upside_down(survey: Survey, call: Call, texture: int, image: Image) -> Iterator[Suspect]:
     """Yield that an image comes with its top row first, and t grows upwards on the screen."""
     width, height, channels, pixels = image
     past = survey.past
@@ -487,7 +489,7 @@ def _without(survey: Survey) -> Iterator[Suspect]:
 
 
 def _with_coords(draws: Sequence[Drawn]) -> Change:
-    instead: dict[str, Any] = {}
+    instead: dict[str, Sequence[Action]] = {}
     for draw in draws:
         found = draw.vertices
         if found is None or not found.places:

@@ -4,17 +4,17 @@ In the order of a program's life: calls before there is a context, calls that Op
 glBegin and glEnd, and how the frame is shown.
 """
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from framelens.gl.seam import Call, gl
 from framelens.program.shown import FRONT
 from framelens.spec import spec
+from framelens.tape.steps import Step
 from framelens.why.survey import Survey
 from framelens.why.suspects import Suspect, written
-from framelens.why.trial import Change, changed
+from framelens.why.trial import Action, Change, changed
 
 INSIDE = (
     *("glVertex", "glColor", "glSecondaryColor", "glIndex", "glNormal", "glTexCoord"),
@@ -43,7 +43,7 @@ def before_context(survey: Survey) -> Iterator[Suspect]:
                     values[place] = names.get(0, 0)
                 getattr(gl, name)(*values)
 
-    instead: dict[str, Any] = {}
+    instead: dict[str, Sequence[Action]] = {}
     for call in survey.tape.frame:
         place = PLACES.get(call.name)
         if place is not None and int(call.args[place] or 0) == 0:
@@ -67,7 +67,7 @@ OPENINGS = {
 }
 
 
-def _renamed(call: Call, place: int, names: dict[int, int]) -> object:
+def _renamed(call: Call, place: int, names: dict[int, int]) -> Action:
     def act() -> None:
         args = list(call.args)
         args[place] = names.get(0, 0)
@@ -138,7 +138,9 @@ def begin_and_end(survey: Survey) -> Iterator[Suspect]:
         )
 
 
-def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> Iterator[Suspect]:
+def _within(
+    survey: Survey, steps: Sequence[Step], index: int, begin: Step, last: Step
+) -> Iterator[Suspect]:
     step = steps[index]
     ended = False
     for later in steps[index:]:
@@ -178,7 +180,7 @@ def _within(survey: Survey, steps: Any, index: int, begin: Any, last: Any) -> It
     )
 
 
-def _outside(steps: Any, index: int) -> Iterator[Suspect]:
+def _outside(steps: Sequence[Step], index: int) -> Iterator[Suspect]:
     step = steps[index]
     last = step
     for later in steps[index:]:

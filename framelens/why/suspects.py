@@ -4,7 +4,7 @@ A rule is a function of a :class:`framelens.why.survey.Survey` that yields :clas
 It only suspects: diagnosis.py tries the change, and names no cause whose change is not seen.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
@@ -37,7 +37,7 @@ class Suspect:
     strength: float
     state: str = ""
     value: object = None
-    values: dict[str, Any] = field(default_factory=dict)
+    values: Mapping[str, object] = field(default_factory=dict)
     pixels: int = 0
     draws: Sequence[Drawn] = ()
     source: str = ""  # where the call cannot say it

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from statistics import median
-from typing import Any
+from typing import Any, TypeVar
 
 from framelens.base.errors import InputError
 from framelens.gl.context import open_context
@@ -25,6 +25,7 @@ from framelens.gl.seam import gl, recording
 from landscape.bench import blades as bench_blades
 from landscape.bench import tone
 from landscape.bench.timing import Layer, in_turns
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.scene.scene import (
     SCENES,
@@ -32,6 +33,7 @@ from landscape.scene.scene import (
     Moment,
     OpenScene,
     Scene,
+    SceneSettings,
     View,
     find_view,
     placed,
@@ -40,6 +42,7 @@ from landscape.scene.scene import (
 )
 from landscape.settings import declare
 
+T = TypeVar("T")
 STARTS = 3  # chosen: starts that count; one more comes first, to fill the disk caches
 RATE = 30.0  # chosen: frames per second at which the walker approaches a timed view
 LOOK = 30.0  # chosen: degrees per second by which the walker turns meanwhile
@@ -67,7 +70,7 @@ class Options:
     views: Sequence[str] = field(default_factory=lambda: scene().main)
     size: tuple[int, int] = (800, 600)
     preset: str | None = None
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, object] = field(default_factory=dict)
     backend: str = "auto"
     samples: int = 0
     assets: Path | None = None
@@ -79,7 +82,7 @@ class Options:
     ways: int = bench_blades.BLADES  # blades of the comparison against 2006; 0 leaves it out
     starts: int = STARTS
 
-    def values(self, kind: Scene, view: View) -> Any:
+    def values(self, kind: Scene, view: View) -> SceneSettings:
         """Return the settings a view is drawn with."""
         return kind.values(
             kind.preset_of(view) if self.preset is None else self.preset,
@@ -102,7 +105,7 @@ def _kind(options: Options) -> Scene:
     return find_view(options.views[0])[0] if options.views else scene()
 
 
-def measure(options: Options, done: Callable[[str], None] = lambda name: None) -> dict[str, Any]:
+def measure(options: Options, done: Callable[[str], None] = lambda name: None) -> dict[str, object]:
     """Measure all that is asked for; return what `bench --json` prints; call ``done`` per step.
 
     - ``layer_ms``: the median time of one layer, measured between the frames.
@@ -120,7 +123,7 @@ def measure(options: Options, done: Callable[[str], None] = lambda name: None) -
     try:
         target = still_target(context, options.size, options.samples)
         try:
-            result: dict[str, Any] = {
+            result: dict[str, object] = {
                 "renderer": gl.glGetString(gl.GL_RENDERER).decode(),
                 "size": list(options.size),
                 "preset": options.preset or _kind(options).preset,
@@ -147,14 +150,14 @@ def steps(options: Options) -> int:
     return len(options.views) + blades + tones + bool(options.starts)
 
 
-def _told(value: Any, name: str, done: Callable[[str], None]) -> Any:
+def _told(value: T, name: str, done: Callable[[str], None]) -> T:
     done(name)
     return value
 
 
-def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, Any]:
+def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, object]:
     """Return ``layer_ms`` and ``views``; views with the same settings share one open scene."""
-    groups: dict[tuple[str, Any], list[str]] = {}
+    groups: dict[tuple[str, SceneSettings], list[str]] = {}
     for name in dict.fromkeys(options.views):
         kind, view = find_view(name)
         groups.setdefault((kind.name, options.values(kind, view)), []).append(name)
@@ -186,7 +189,7 @@ def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, An
 def _measure_group(
     options: Options,
     kind: Scene,
-    values: Any,
+    values: SceneSettings,
     names: Sequence[str],
     layer: Layer,
     calls: dict[str, int],
@@ -252,12 +255,13 @@ def draw_view(
     opened.draw(moment)
 
 
-def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, Any]:
+def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, object]:
     """Return ``grass`` and ``ways``, if there is grass."""
     if not options.grassy:
         return {"grass": [], "ways": []}
     kind = _kind(options)
     values = declare.with_settings(kind.values(options.preset), options.settings)
+    assert isinstance(values, Settings)  # the scene with grass is the island
     common = options.size, Assets(options.assets), options.seed
     grass = [
         _told(
@@ -273,7 +277,7 @@ def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, A
     return {"grass": grass, "ways": ways}
 
 
-def measure_tone(options: Options, done: Callable[[str], None]) -> list[dict[str, Any]]:
+def measure_tone(options: Options, done: Callable[[str], None]) -> list[dict[str, object]]:
     """Return ``tone``, if there is any."""
     if not options.toned:
         return []

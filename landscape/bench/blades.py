@@ -14,6 +14,7 @@ from landscape.elements import sun
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.grass import Grass
 from landscape.elements.ground import Ground
+from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
@@ -27,7 +28,7 @@ MOST_ON_ISLAND = 1_500_000  # section 5.3.1; more blades stand on proportionally
 
 
 def measure_grass(
-    values: Any, count: int, size: tuple[int, int], assets: Assets, seed: int, rounds: int
+    values: Settings, count: int, size: tuple[int, int], assets: Assets, seed: int, rounds: int
 ) -> dict[str, Any]:
     """Measure ``count`` blades where the grass is dense.
 
@@ -77,7 +78,12 @@ def measure_grass(
 
 
 def measure_ways(
-    values: Any, blade_count: int, size: tuple[int, int], assets: Assets, seed: int, rounds: int
+    values: Settings,
+    blade_count: int,
+    size: tuple[int, int],
+    assets: Assets,
+    seed: int,
+    rounds: int,
 ) -> list[dict[str, Any]]:
     """Draw the same blades in four ways, the report's first (see bench_grass.py).
 

@@ -45,7 +45,7 @@ class Options:
     views: Sequence[str]
     size: tuple[int, int]
     preset: str | None = None
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, object] = field(default_factory=dict)
     backend: str = "auto"
     assets: Path | None = None
     only: Sequence[str] | None = None

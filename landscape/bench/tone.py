@@ -59,7 +59,7 @@ def measure_tone(
     return found
 
 
-def report(rows: list[dict[str, Any]]) -> list[str]:
+def report(rows: list[dict[str, object]]) -> list[str]:
     """Return the lines of a table, none without rows."""
     if not rows:
         return []

@@ -66,8 +66,8 @@ def _standing(
 
 
 def _moving(
-    options: argparse.Namespace, names: Sequence[str], changes: Mapping[str, Any]
-) -> tuple[dict[str, Any], str]:
+    options: argparse.Namespace, names: Sequence[str], changes: Mapping[str, object]
+) -> tuple[dict[str, object], str]:
     """Return what walks from the views show, and a table of it."""
     from landscape.bench import moving as bench_moving
     from landscape.walk.title import SIZE

@@ -9,7 +9,7 @@ from landscape.scene.scene import Scene, View, without_effect
 from landscape.settings import declare
 
 
-def given_changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, Any]:
+def given_changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, object]:
     """Return the settings of --settings and --set, the latter winning.
 
     A notice on standard error names each key that one of the scenes has renamed.
@@ -24,7 +24,7 @@ def given_changes(options: argparse.Namespace, *kinds: Scene) -> dict[str, Any]:
 
 
 def tell_of_no_effect(
-    options: argparse.Namespace, views: Sequence[tuple[Scene, View]], changes: Mapping[str, Any]
+    options: argparse.Namespace, views: Sequence[tuple[Scene, View]], changes: Mapping[str, object]
 ) -> None:
     """Print a notice for each setting given that changes nothing in any of these views."""
     notify(options, without_effect(views, options.preset, changes, options.only))

@@ -7,8 +7,8 @@ from typing import Any
 from framelens.base import arguments
 from framelens.commands import option_values
 from framelens.commands.option_values import refusal
-from framelens.commands.parser import backend_option
-from landscape.frame import checked_pose
+from framelens.commands.parser import Options, backend_option
+from landscape.frame import Pose, checked_pose
 from landscape.scene.scene import SEED, scene
 
 POSE = "where the eye is; angles in degrees; Y may be `ground`: eye height above the ground"
@@ -46,7 +46,7 @@ def pose_option(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--pose", type=_pose, metavar="X,Y,Z,YAW,PITCH", help=POSE)
 
 
-def _pose(text: str) -> Any:
+def _pose(text: str) -> Pose:
     """Return the pose that an option gives."""
     parts = tuple(arguments.real(part.strip()) for part in text.split(","))
     if len(parts) != 5:
@@ -81,7 +81,7 @@ def frame_of_a_view(parser: argparse.ArgumentParser) -> None:
     drawing_options(parser, samples=0)
 
 
-def settings_options(parser: Any, example: str, key: str, listed: str) -> None:
+def settings_options(parser: Options, example: str, key: str, listed: str) -> None:
     """Add --set and --settings."""
     parser.add_argument(
         "--set",
@@ -101,7 +101,7 @@ def settings_options(parser: Any, example: str, key: str, listed: str) -> None:
     )
 
 
-def assets_option(parser: Any) -> None:
+def assets_option(parser: Options) -> None:
     """Add --assets."""
     parser.add_argument("--assets", type=Path, metavar="DIR", help=OWN_FILES)
 

@@ -46,7 +46,7 @@ def run(options: argparse.Namespace) -> int:
     return 0 if findings["chosen"] else 3
 
 
-def examine() -> dict[str, Any]:
+def examine() -> dict[str, object]:
     """Return what `landscape doctor --json` prints: backends, the one `auto` takes, versions."""
     backends = {name: probe(name) for name in context.BACKENDS}
     chosen = next((name for name in context.BACKENDS if backends[name]["ok"]), None)
@@ -66,7 +66,7 @@ def examine() -> dict[str, Any]:
     }
 
 
-def probe(backend: str) -> dict[str, Any]:
+def probe(backend: str) -> dict[str, object]:
     """Open a context in another process; return ok, with renderer and version or a reason."""
     try:
         return isolated(look_at, backend, seconds=SECONDS)
@@ -77,7 +77,7 @@ def probe(backend: str) -> dict[str, Any]:
         return {"ok": False, "reason": f"the process ended with {ended.status}: {last}"}
 
 
-def look_at(backend: str) -> dict[str, Any]:
+def look_at(backend: str) -> dict[str, object]:
     """Return what :func:`probe` does, from a context that is opened in this process."""
     try:
         opened = context.open_context(backend)

@@ -160,9 +160,9 @@ def _plain(picture: np.ndarray) -> bool:
     return not (picture != picture[:1, :1]).any()
 
 
-def as_json(report: Report, _: Translator) -> dict[str, Any]:
+def as_json(report: Report, _: Translator) -> dict[str, object]:
     """Return a report as JSON; "passed" of a test is null if it was not made."""
-    found: dict[str, Any] = {
+    found: dict[str, object] = {
         "exercise": report.exercise.name,
         "passed": report.passed,
         "tests": verdicts(report, _),

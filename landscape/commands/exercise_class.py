@@ -7,7 +7,6 @@ import sys
 from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
-from typing import Any
 
 from framelens.base import packages
 from framelens.base.errors import InputError
@@ -189,7 +188,7 @@ def run(options: argparse.Namespace, language: str) -> int:
     return 0 if all(row.passed for row in rows) else 1
 
 
-def _as_json(alike: Sequence[Likeness] | None) -> list[dict[str, Any]] | None:
+def _as_json(alike: Sequence[Likeness] | None) -> list[dict[str, object]] | None:
     return as_json(alike) if alike is not None else None
 
 

@@ -4,7 +4,6 @@ import argparse
 import json
 import os
 import sys
-from typing import Any
 
 from framelens.base.texts import choose, translator
 from framelens.base.texts import marked as _
@@ -44,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def json_text(value: Any) -> str:
+def json_text(value: object) -> str:
     """Return a value as JSON, with letters as they are where the output has all of them."""
     encoding = (sys.stdout.encoding or "").lower()
     return json.dumps(value, indent=1, ensure_ascii=encoding != "utf-8")

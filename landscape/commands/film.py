@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError, Message
 from framelens.base.executor import lent_or_own
@@ -211,7 +210,7 @@ def _draw_parts(
     ending: str,
     workers: Executor | None,
     jobs: int,
-    changes: Mapping[str, Any],
+    changes: Mapping[str, object],
     options: argparse.Namespace,
 ) -> int:
     """Draw what is missing of a film's parts; join them if a film is asked for."""

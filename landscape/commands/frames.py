@@ -3,7 +3,6 @@
 import argparse
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
 
 from framelens.base.errors import InputError, short
 from framelens.commands.common import Show, program_frame, settle_language
@@ -55,7 +54,7 @@ def target(options: argparse.Namespace) -> Look:
     return program_frame(options)
 
 
-def _view(options: argparse.Namespace, changes: dict[str, Any]) -> ViewFrame:
+def _view(options: argparse.Namespace, changes: dict[str, object]) -> ViewFrame:
     """Return the frame of a view, drawn with these settings and the options."""
     _refuse(
         f"it is for programs; {short(options.target)} is a view",
@@ -82,7 +81,7 @@ def _view(options: argparse.Namespace, changes: dict[str, Any]) -> ViewFrame:
     )
 
 
-def _refuse(why: str, options: dict[str, Any]) -> None:
+def _refuse(why: str, options: dict[str, object]) -> None:
     """Raise InputError for the first option that was given."""
     for option, value in options.items():
         if value:

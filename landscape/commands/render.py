@@ -3,7 +3,6 @@
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from framelens.base import arguments
 from framelens.base.errors import InputError
@@ -103,7 +102,7 @@ def _poster(text: str) -> tuple[int, int]:
 
 def _draw_posters(
     wanted: Sequence[tuple[str, str | Pose, Path]],
-    given: dict[str, Any],
+    given: dict[str, object],
     options: argparse.Namespace,
 ) -> int:
     """Draw each view as a poster; return the exit status."""

@@ -32,7 +32,7 @@ class Flyover:
     unread: tuple[str, ...] = ()
     settings, presets = flyover.Settings(), flyover.PRESETS
 
-    def values(self, name: str | None, changes: Mapping[str, Any] | None = None) -> Any:
+    def values(self, name: str | None, changes: Mapping[str, object] | None = None) -> Any:
         """Return the settings of a preset (None: the default) with changes."""
         chosen = declare.preset(self.settings, self.presets, name or flyover.BEST)
         return declare.with_settings(chosen, changes or {})
@@ -89,7 +89,7 @@ def _group(row: Row) -> str:
 
 
 def _rows_of(
-    kind: Scene | Flyover, preset: str | None, changes: Mapping[str, Any]
+    kind: Scene | Flyover, preset: str | None, changes: Mapping[str, object]
 ) -> Iterator[Row]:
     current, _ = declare.current_names(kind.settings, changes)
     own = {key: v for key, v in current.items() if key in declare.fields(type(kind.settings))}

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from framelens.base.errors import InputError
 from framelens.tape.edit_files import read
@@ -28,7 +28,7 @@ class ViewFrame:
     size: tuple[int, int] | None = None
     backend: str = "auto"
     preset: str | None = None
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, object] = field(default_factory=dict)
     only: Iterable[str] | None = None
     assets: Path | None = None
     seed: int = SEED

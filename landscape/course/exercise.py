@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -66,14 +66,26 @@ class Report:
         return bool(self.results) and all(result.passed for result in self.results)
 
 
-def verdicts(report: Report, translate: Translator) -> list[dict[str, Any]]:
-    """Return what is said of each test: name, passed, rationale, hint, otherwise, hidden, points.
+class Verdict(TypedDict):
+    """What is said of a test.
 
     "passed" is None if it was not made. "otherwise": it has passed because the picture is right,
     not by what it looks for. "hidden": students do not see it. "points": what it is worth.
     """
+
+    name: str
+    passed: bool | None
+    rationale: str
+    hint: str
+    otherwise: bool
+    hidden: bool
+    points: float
+
+
+def verdicts(report: Report, translate: Translator) -> list[Verdict]:
+    """Return what is said of each test."""
     results = {result.test.key: result for result in report.results}
-    tests = []
+    tests: list[Verdict] = []
     for test in report.tests:
         result = results.get(test.key)
         hint = result.hint if result is not None else None
@@ -222,11 +234,11 @@ class Grader:
         path: Path,
         found: Exercise,
         frames: Sequence[int],
-        events: Sequence[dict[str, Any]],
+        events: Sequence[dict[str, object]],
         solution: Evidence | None,
         calls: bool = True,
         take: int = 0,
-    ) -> tuple[Evidence | dict[str, Any], Evidence]:
+    ) -> tuple[Evidence | dict[str, object], Evidence]:
         """Run a program, and the solution beside it if its evidence is not there yet.
 
         ``take`` is that of a recorded solution. Return the evidence of both; of the program what
@@ -261,7 +273,7 @@ class Grader:
         return work, solution
 
     def _drawn_otherwise(
-        self, work: Evidence, frames: Sequence[int], events: Sequence[dict[str, Any]]
+        self, work: Evidence, frames: Sequence[int], events: Sequence[dict[str, object]]
     ) -> int | None:
         """Return the first frame that the program's calls draw otherwise than it says, if any does.
 
@@ -307,7 +319,7 @@ class Grader:
         return told(outcome.answer[0].get("cause")) if outcome.answer is not None else None
 
 
-def _syntax(path: Path) -> dict[str, Any] | None:
+def _syntax(path: Path) -> dict[str, object] | None:
     """Return why a file is not Python; None if it is."""
     try:
         with warnings.catch_warnings():

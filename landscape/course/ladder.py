@@ -19,7 +19,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError, short
 from framelens.base.texts import Phrases, Texts
@@ -109,7 +108,7 @@ class Lesson:
         """Its page: Markdown, with the headings SECTIONS."""
         return self.file.parent / "pages" / f"{self.name}.md"
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> dict[str, object]:
         """Return what `landscape lesson --json` prints."""
         return {
             "name": self.name,

@@ -8,13 +8,17 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
+
+import numpy as np
 
 from landscape.film.clip import Pictures
 from landscape.film.stage import Stage
 from landscape.film.views import Look
 from landscape.flyover.environment import Environment
+from landscape.flyover.flight import Flight
 from landscape.flyover.frame import draw
+from landscape.flyover.height_field import HeightField
 from landscape.flyover.scene_flight import SceneFlight
 from landscape.flyover.settings import Settings
 from landscape.frame import Pose
@@ -69,7 +73,7 @@ class Software:
     needs_opengl: ClassVar[bool] = False
 
     @cached_property
-    def flight(self) -> Any:
+    def flight(self) -> tuple[HeightField, Flight]:
         """The terrain, and the flight over it."""
         field = self.environment.field(self.settings.flyover)
         return field, self.environment.flight(field, self.settings.flyover)
@@ -78,7 +82,7 @@ class Software:
         """Return what draws it."""
         field, flight = self.flight
 
-        def picture(seconds: float) -> Any:
+        def picture(seconds: float) -> np.ndarray:
             at = min(self.begin + seconds, math.nextafter(flight.duration, 0.0))
             return draw(field, flight.camera(at), self.settings, stage.size).picture
 

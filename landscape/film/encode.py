@@ -383,7 +383,7 @@ class _Named:
     def __enter__(self) -> None:
         pass
 
-    def __exit__(self, kind: Any, error: BaseException | None, traceback: Any) -> None:
+    def __exit__(self, kind: object, error: BaseException | None, traceback: object) -> None:
         if isinstance(error, self._error):
             reason = getattr(error, "strerror", None) or str(error)
             raise InputError(

@@ -102,7 +102,7 @@ def film_hash(film: Film) -> str:
     return digest.hexdigest()
 
 
-def _described(value: Any, texts: list[str]) -> Iterator[bytes]:
+def _described(value: object, texts: list[str]) -> Iterator[bytes]:
     """Yield bytes that say what a value is, the same in each process; collect the texts in it."""
     yield type(value).__name__.encode()
     if is_dataclass(value):
@@ -295,7 +295,7 @@ def read_plan(path: Path) -> Plan:
     return plan
 
 
-def _count(value: Any) -> int:
+def _count(value: object) -> int:
     if not isinstance(value, int) or not 0 < value <= MOST_FRAMES:
         raise ValueError
     return value

@@ -17,6 +17,7 @@ from landscape.film.clip import Pictures
 from landscape.film.stage import Stage
 from landscape.frame import Pose
 from landscape.geometry.digging import Diggable
+from landscape.geometry.doors import Door
 from landscape.scene.scene import Moment, scene
 from landscape.settings import declare
 from landscape.sound.score import Heard
@@ -181,10 +182,10 @@ class Replay:
             return
         self._places.give(dict(changes))
 
-    def _apply(self, place: Place, changes: Mapping[str, Any]) -> None:
+    def _apply(self, place: Place, changes: Mapping[str, object]) -> None:
         place.apply(changes, lambda: place.open(self._stage.assets, self._plan.seed))
 
-    def _passed(self, state: State, door: Any, intent: Intent) -> State:
+    def _passed(self, state: State, door: Door, intent: Intent) -> State:
         """Return the state behind a door."""
         assert self._places is not None
         left, place = state.place, self._places.behind(door)

@@ -37,7 +37,7 @@ class Wanted:
     seconds: float | None = None
     scene: str = ""
     preset: str | None = None
-    changes: Mapping[str, Any] = field(default_factory=dict)
+    changes: Mapping[str, object] = field(default_factory=dict)
     only: Sequence[str] | None = None
     kt: float | None = None
     wireframe: bool = False

@@ -6,14 +6,13 @@ The context is opened when the first scene is, so a film that needs no OpenGL is
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
-from typing import Any
 
 import numpy as np
 
 from landscape.files.assets import Assets
 from landscape.film.rig import ONE, drawn_size, picture
 from landscape.offscreen import Offscreen
-from landscape.scene.scene import SCENES, SEED, Moment, OpenScene, scene
+from landscape.scene.scene import SCENES, SEED, Moment, OpenScene, SceneSettings, scene
 
 KEPT = 2  # how many scenes are open at once: those of a cross-fade
 
@@ -44,7 +43,7 @@ class Stage:
         self.size = drawn_size(drawing.rig, drawing.size)
         self.assets = Assets(drawing.assets)
         self._offscreen: Offscreen | None = None
-        self._open: dict[Any, OpenScene] = {}  # the most recently used last
+        self._open: dict[object, OpenScene] = {}  # the most recently used last
 
     @property
     def offscreen(self) -> Offscreen:
@@ -54,7 +53,7 @@ class Stage:
             self._offscreen = Offscreen(self.size, backend=drawing.backend, samples=drawing.samples)
         return self._offscreen
 
-    def scene(self, name: str, values: Any, shown: tuple[str, ...]) -> OpenScene:
+    def scene(self, name: str, values: SceneSettings, shown: tuple[str, ...]) -> OpenScene:
         """Return a scene with these settings and elements, open; it may be closed by later calls.
 
         InputError if it cannot be opened.

@@ -46,7 +46,7 @@ TEXTS: Texts = {
 }
 
 
-def parts(preset: str | None, changes: Mapping[str, Any], language: str) -> list[Part]:
+def parts(preset: str | None, changes: Mapping[str, object], language: str) -> list[Part]:
     """Return the trailer's parts; ``changes`` are settings, each for the scenes that have it.
 
     InputError where no scene has all of them.

@@ -7,7 +7,7 @@ SLERP between the views' own, with a level horizon: what roll SLERP would give i
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, Protocol, runtime_checkable
+from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from landscape.film.stage import Stage
 from landscape.frame import Pose
 from landscape.geometry.camera_path import HOLD, Heights, Travel, through
 from landscape.geometry.quaternion import from_angles, to_angles
-from landscape.scene.scene import Moment, OpenScene, placed, raised, scene
+from landscape.scene.scene import Moment, OpenScene, SceneSettings, placed, raised, scene
 from landscape.sound.score import Heard
 from landscape.sound.soundscape import Ear
 
@@ -31,7 +31,7 @@ class Look:
     """How a scene is looked at: its name, settings, elements, and animation time at the start."""
 
     scene: str
-    values: Any
+    values: SceneSettings
     shown: tuple[str, ...]
     kt: float = 0.0
     wireframe: bool = False

@@ -17,6 +17,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import wait
+from multiprocessing.context import SpawnProcess
 from typing import Any
 
 import numpy as np
@@ -222,13 +223,17 @@ class _Worker:
     """A process that draws parts of pictures."""
 
     def __init__(self) -> None:
-        self._process: Any = None
+        self._process: SpawnProcess | None = None
         self.ready = False
         self.pipe: Pipe[Any, Any]
         self._bell: Bell
 
     def start(
-        self, heights: SharedMemory, picture: SharedMemory, count: int, given: tuple[Any, ...]
+        self,
+        heights: SharedMemory,
+        picture: SharedMemory,
+        count: int,
+        given: tuple[int, float, str],
     ) -> None:
         """Start the process; ``given`` is what describes ``count`` heights as a terrain."""
         self.pipe, theirs = multiprocessing.get_context("spawn").Pipe()
@@ -284,7 +289,7 @@ class _Given:
     heights: SharedMemory
     picture: SharedMemory
     count: int  # of the heights
-    given: tuple[Any, ...]  # side, unit and name of the terrain
+    given: tuple[int, float, str]  # side, unit and name of the terrain
 
 
 def _work(given: _Given) -> None:

@@ -7,7 +7,7 @@ long as over the environment's own terrain, however large the scene is.
 
 import math
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Protocol, SupportsFloat
 
 import numpy as np
 
@@ -24,7 +24,7 @@ class Map(Protocol):
     def size(self) -> float:
         """The side of the square in units."""
 
-    def height(self, x: float, z: float) -> Any:
+    def height(self, x: float, z: float) -> SupportsFloat:
         """Return the height in units at x, z."""
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -19,7 +18,7 @@ from framelens.report.in_cells import fragment
 from framelens.report.look import answered
 from landscape.commands.exercise_check import as_text, title_of
 from landscape.commands.shelves import shelf
-from landscape.course.exercise import Grader, Report, verdicts
+from landscape.course.exercise import Grader, Report, Verdict, verdicts
 from landscape.course.grader.grading import _
 from landscape.course.grader.heat_map import heat_map
 from landscape.course.grader.troubles import sentence
@@ -42,7 +41,7 @@ class Check:
     exercise: str
     title: str
     passed: bool
-    tests: Sequence[dict[str, Any]]
+    tests: Sequence[Verdict]
     difference: float | None
     error: str
     text: str

@@ -8,7 +8,6 @@ while the pointer is over it. The file of the notebook keeps a picture as well.
 import base64
 from multiprocessing import Pipe
 from multiprocessing.context import SpawnProcess
-from typing import Any
 
 import numpy as np
 
@@ -93,7 +92,7 @@ class LiveWalk(RemoteFrameBuffer):  # type: ignore[misc]
             self._process.kill()
             self._process = None
 
-    def _repr_mimebundle_(self, **options: Any) -> Any:
+    def _repr_mimebundle_(self, **options: object) -> object:
         found = super()._repr_mimebundle_(**options)
         data, metadata = found if isinstance(found, tuple) else (found or {}, {})
         return {**data, "image/png": _png(self._frame)}, metadata

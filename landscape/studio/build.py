@@ -7,7 +7,6 @@ from concurrent.futures import Executor
 from contextlib import closing
 from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -100,9 +99,12 @@ QUALITY = 85
 MADE_FROM = "Made from"  # keyword of the text in a PNG that says what it was made from
 
 
-def table() -> dict[str, Callable[[], Any]]:
+Asset = np.ndarray | tuple[np.ndarray, ...] | str  # pixels; what ply() takes; text
+
+
+def table() -> dict[str, Callable[[], Asset]]:
     """Return the function that makes each asset, by file name."""
-    makers: dict[str, Callable[[], Any]] = {}
+    makers: dict[str, Callable[[], Asset]] = {}
     for name in MODULES:
         makers |= import_module(f"landscape.studio.{name}").ASSETS
     return makers
@@ -123,7 +125,7 @@ def ply(
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
     header += [f"property float {axis}" for axis in "xyz"]
     header += [f"property uchar {name}" for name in ("red", "green", "blue")]
-    fields: list[tuple[Any, ...]] = [("place", "<f4", 3), ("colour", "u1", 3)]
+    fields: list[tuple[str, str, int]] = [("place", "<f4", 3), ("colour", "u1", 3)]
     if coordinates is not None:
         header += [f"property float {name}" for name in "st"]
         fields.append(("coordinates", "<f4", 2))
@@ -154,7 +156,7 @@ def jpeg(pixels: np.ndarray) -> bytes:
     return buffer.getvalue()
 
 
-def encoded(made: Any, colours: int = 0, made_from: str = "") -> bytes:
+def encoded(made: Asset, colours: int = 0, made_from: str = "") -> bytes:
     """Encode the result of a maker: pixels as PNG, (vertices, faces, colours) as PLY, text.
 
     If ``colours`` is not 0, the image is reduced to a palette of that size. ``made_from`` is
@@ -188,6 +190,7 @@ def make(name: str) -> bytes:
     """Make one asset and return the bytes of its file."""
     made, made_from = table()[name](), texts().get(name, lambda: "")
     if name.endswith(".jpg"):
+        assert isinstance(made, np.ndarray)
         return jpeg(made)
     return encoded(made, PALETTES.get(name, 0), made_from())
 

@@ -4,7 +4,7 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Iterable
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 from framelens.base.errors import Message, NoOpenGLError
@@ -221,7 +221,7 @@ class GLFWContext:
 
 
 def call_for_pointer(
-    glfw: ModuleType,
+    glfw: ModuleType | SimpleNamespace,
     window: object,
     button: Callable[[int, int, int], None],
     motion: Callable[[float, float], None],

@@ -42,7 +42,7 @@ class Call:
         """The name without its suffix: glVertex for glVertex3f."""
         return base(self.name)
 
-    def is_(self, name: str, *first: Any) -> bool:
+    def is_(self, name: str, *first: object) -> bool:
         """Return whether it calls a function, named with or without suffix, with these arguments.
 
         Only the first arguments need be given; None stands for any.

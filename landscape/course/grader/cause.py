@@ -16,12 +16,12 @@ def of(path: str, frame: int, language: str) -> dict[str, Any] | None:
     with contextlib.suppress(InputError, NoOpenGLError):
         for cause in find(ProgramFrame(path, frame=frame), language=language).causes[:1]:
             # By way of JSON, as it is sent: a value may be of numpy.
-            found: dict[str, Any] = json.loads(json.dumps(cause.as_json(language), default=str))
+            found: dict[str, object] = json.loads(json.dumps(cause.as_json(language), default=str))
             return found
     return None
 
 
-def told(answer: Any) -> dict[str, Any] | None:
+def told(answer: object) -> dict[str, Any] | None:
     """Return a cause that a program's process has sent; None unless it has the form of one."""
     if not isinstance(answer, dict):
         return None

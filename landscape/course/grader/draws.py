@@ -86,7 +86,7 @@ def matrix(name: str, args: Sequence[Any]) -> np.ndarray | None:
     return found
 
 
-def state_matrix(state: Mapping[str, Any], name: str) -> np.ndarray:
+def state_matrix(state: Mapping[str, object], name: str) -> np.ndarray:
     """Return a matrix of a state, such as GL_MODELVIEW_MATRIX, as (4, 4)."""
     return np.array(state[name], float).reshape(4, 4).T
 
@@ -113,7 +113,7 @@ class _Current:
         self.normal = [0.0, 0.0, 1.0]
         self.color = [1.0, 1.0, 1.0, 1.0]
         self.texture = [0.0, 0.0, 0.0, 1.0]
-        self.taken: dict[str, Any] = {}
+        self.taken: dict[str, object] = {}
 
     def take(self, state: Mapping[str, Any]) -> None:
         """Take the values from a state that was read.
@@ -162,7 +162,8 @@ def drawn(calls: Sequence[Item], numbers: Numbers = NONE) -> Iterator[Draw]:
 
 def _drawn(calls: Sequence[Item], numbers: Numbers, now: _Current, listed: bool) -> Iterator[Draw]:
     begun: Call | None = None
-    rows: list[Any] = []  # of the block of glBegin: a vertex, or several as (range, current values)
+    # Of the block of glBegin: a vertex, or several as (range, current values).
+    rows: list[Any] = []
     for call in calls:
         if isinstance(call, range):
             rows.append((call, now.values()))
@@ -223,7 +224,7 @@ def _columns(rows: Sequence[Any], numbers: Numbers) -> Columns:
     return tuple(np.concatenate(column) for column in zip(*parts, strict=True))
 
 
-def _stacked(rows: Sequence[Sequence[Any]]) -> Columns:
+def _stacked(rows: Sequence[Sequence[object]]) -> Columns:
     columns = list(zip(*rows, strict=True)) if rows else [()] * 4
     return tuple(
         np.array(column, float).reshape(len(rows), width)
@@ -231,7 +232,7 @@ def _stacked(rows: Sequence[Sequence[Any]]) -> Columns:
     )
 
 
-def _together(runs: Sequence[tuple[range, Sequence[Any]]], numbers: Numbers) -> Columns:
+def _together(runs: Sequence[tuple[range, Sequence[object]]], numbers: Numbers) -> Columns:
     """Return the columns of calls that only give numbers, from runs that adjoin in the columns."""
     first, counts = runs[0][0].start, [len(run) for run, _ in runs]
     inside = np.flatnonzero(numbers.kinds[first : runs[-1][0].stop] == 0)

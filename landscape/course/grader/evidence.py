@@ -17,7 +17,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -67,7 +66,7 @@ class Frame:
         """The calls that do more than give numbers: far fewer."""
         return list(expanded(self.top, None))
 
-    def find(self, name: str, *first: Any) -> list[Call]:
+    def find(self, name: str, *first: object) -> list[Call]:
         """Return the frame's calls of a function (see :meth:`Call.is_`), in order."""
         calls = self.calls if base(name) in KINDS else self._others
         return [call for call in calls if call.is_(name, *first)]
@@ -96,7 +95,7 @@ class Evidence:
         """The last frame that is looked at."""
         return self.frames[max(self.frames)]
 
-    def find(self, name: str, *first: Any) -> list[Call]:
+    def find(self, name: str, *first: object) -> list[Call]:
         """Return calls of a function, of the setup and of all frames that are looked at."""
         setup = expanded(self.last.setup, self.last.numbers)
         found = [call for call in setup if call.is_(name, *first)]

@@ -63,19 +63,20 @@ class Writer:
     def __init__(self, program: str) -> None:
         self._program = program
         self.blobs = Blobs()
-        self._sites: dict[Any, int] = {}
-        self._written_sites: list[Any] = []
+        self._sites: dict[object, int] = {}
+        self._written_sites: list[object] = []
         self._of = array("i")
         self._values = array("d")
         self._lists: list[Block] = []
-        self._of_list: dict[int, tuple[int, Any]] = {}  # its index, and the list: by its identity
-        self._pointers: list[Any] = []
-        self._of_pointer: dict[Any, int] = {}  # its index, by its name and what it points to
+        # A list's index, and the list: by its identity.
+        self._of_list: dict[int, tuple[int, object]] = {}
+        self._pointers: list[object] = []
+        self._of_pointer: dict[object, int] = {}  # its index, by its name and what it points to
 
     def block(
         self,
         calls: Sequence[notes.Call],
-        more: Mapping[int, Mapping[str, Any]],
+        more: Mapping[int, Mapping[str, object]],
         brief: Sequence[Brief] = (),
         before: int = 0,
     ) -> Block:
@@ -121,7 +122,7 @@ class Writer:
         self._of.append(site)
         self._values.extend(args)
 
-    def _executed(self, call: notes.Call, more: Mapping[int, Mapping[str, Any]]) -> list[int]:
+    def _executed(self, call: notes.Call, more: Mapping[int, Mapping[str, object]]) -> list[int]:
         """Return the indices of the display lists that a call executes."""
         found = []
         for each in call.executed:
@@ -140,14 +141,14 @@ class Writer:
         own = at.path == self._program
         return self._site(key, call.name, at.line, at.function, own, len(call.args))
 
-    def _site(self, key: Any, name: str, *others: Any) -> int:
+    def _site(self, key: object, name: str, *others: object) -> int:
         self._sites[key] = len(self._written_sites)
         self._written_sites.append([name, *others])
         return self._sites[key]
 
     def _written(
-        self, call: notes.Call, more: Mapping[int, Mapping[str, Any]], inside: list[int]
-    ) -> list[Any]:
+        self, call: notes.Call, more: Mapping[int, Mapping[str, object]], inside: list[int]
+    ) -> list[object]:
         site, args = self._site_of(call), _arguments(call.name, call.args) if call.args else []
         found = dict(more.get(id(call), ()))
         # Not for each glArrayElement: thousands of them would write the arrays thousands of times.
@@ -157,7 +158,7 @@ class Writer:
             found["inside"] = inside
         return [site, args, found] if found else [site, args]
 
-    def _pointer(self, name: str, args: tuple[Any, ...]) -> int:
+    def _pointer(self, name: str, args: tuple[object, ...]) -> int:
         """Return the index of a pointer call; an array of one content is written once."""
         key = name, *map(_content, args)
         if key not in self._of_pointer:
@@ -165,7 +166,7 @@ class Writer:
             self._pointers.append([name, _arguments(name, args)])
         return self._of_pointer[key]
 
-    def written(self) -> dict[str, Any]:
+    def written(self) -> dict[str, object]:
         """Return what is not in blocks."""
         numbers = {
             "of": self.blobs.add(self._of.tobytes()),
@@ -179,14 +180,14 @@ class Writer:
         }
 
 
-def _arguments(name: str, args: tuple[Any, ...]) -> list[Any]:
+def _arguments(name: str, args: tuple[object, ...]) -> list[object]:
     """Return the arguments as JSON: enumerants by name, arrays whole if they are not too long."""
     if name in ("glClear", "glPushAttrib"):
         return shown(name, args)
     return [_argument(name, index, args) for index in range(len(args))]
 
 
-def _content(value: Any) -> Any:
+def _content(value: object) -> object:
     """Return a key of an argument; copies of one array have the same."""
     if isinstance(value, np.ndarray):
         return value.dtype.str, value.shape, hashlib.blake2b(value.tobytes()).digest()

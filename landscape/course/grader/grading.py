@@ -25,7 +25,7 @@ LANGUAGE.po of an exercise of one's own; it is translated when it is printed.
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache, reduce
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -61,7 +61,7 @@ class Hint:
     """A text with its {values}; those that are hints or marked with ``_`` are translated, too."""
 
     text: str
-    values: Mapping[str, Any] = field(default_factory=dict, hash=False)
+    values: Mapping[str, object] = field(default_factory=dict, hash=False)
 
     def written(self, translate: Callable[[str], str]) -> str:
         """Return the hint in a language."""
@@ -69,13 +69,13 @@ class Hint:
         return filled(translate(self.text), values, translate(DECIMAL_MARK))
 
 
-def _written(value: Any, translate: Callable[[str], str]) -> Any:
+def _written(value: object, translate: Callable[[str], str]) -> object:
     if isinstance(value, Hint):
         return value.written(translate)
     return translate(value) if isinstance(value, Text) else value
 
 
-def hint(text: Text, **values: Any) -> Hint:
+def hint(text: Text, **values: object) -> Hint:
     """Return what a failed test tells the student."""
     return Hint(text, values)
 
@@ -173,7 +173,7 @@ def test(
     return make
 
 
-def tests_of(module: Mapping[str, Any]) -> list[Test]:
+def tests_of(module: Mapping[str, object]) -> list[Test]:
     """Return the tests of a grading.py in their order, from its names."""
     return [value for value in module.values() if isinstance(value, Test)]
 
@@ -333,7 +333,7 @@ def _same_draw(work: Draw, again: Draw) -> bool:
 Box = tuple[float, float, float, float]
 """A part of the picture: left, top, right, bottom, each from 0 to 1, from the top left."""
 
-Regions = Mapping[Any, Box | np.ndarray]
+Regions = Mapping[object, Box | np.ndarray]
 """Parts of the picture by name, a text or a hint: boxes, or masks, bool (h, w), top row first."""
 
 

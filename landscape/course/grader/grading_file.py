@@ -26,7 +26,7 @@ class Grading:
     """The contents of a grading file: the ``frames`` that are checked, ``events`` and ``tests``."""
 
     frames: Sequence[int]
-    events: Sequence[dict[str, Any]]
+    events: Sequence[dict[str, object]]
     tests: Sequence[Test]
 
 
@@ -60,7 +60,7 @@ def read_grading(path: Path, hidden: bool = False) -> Grading:
     return Grading(_frames(path, names), _events(path, names), tests)
 
 
-def names_of(path: Path) -> Mapping[str, Any]:
+def names_of(path: Path) -> Mapping[str, object]:
     """Run a file of an exercise and return its names; InputError says in which line it fails."""
     read_bounded(path, MOST_BYTES)
 
@@ -102,11 +102,11 @@ def _frames(path: Path, names: Mapping[str, Any]) -> Sequence[int]:
     return tuple(found or ())
 
 
-def _is_frame(value: Any) -> bool:
+def _is_frame(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= LAST_FRAME
 
 
-def _events(path: Path, names: Mapping[str, Any]) -> Sequence[dict[str, Any]]:
+def _events(path: Path, names: Mapping[str, object]) -> Sequence[dict[str, object]]:
     found = names.get("EVENTS", ())
     if not isinstance(found, Sequence) or isinstance(found, str):
         raise InputError("{path}: EVENTS: expected a list of events", path=path)

@@ -16,13 +16,13 @@ from landscape.course.grader.grading import Hint, Test, Text, _, compare, hint, 
 
 STACKS = ("GL_MODELVIEW_STACK_DEPTH", "GL_PROJECTION_STACK_DEPTH", "GL_ATTRIB_STACK_DEPTH")
 NO_SHAPES = ("glDrawBuffer", "glDrawPixels")
-Mistake = tuple[Callable[[int], Any], Text | Hint]
+Mistake = tuple[Callable[[int], object], Text | Hint]
 """What is drawn in a frame if the mistake is made, and the hint."""
 
 
 def known(
     mistakes: Iterable[Mistake],
-    found: Callable[[int], Any],
+    found: Callable[[int], object],
     frames: Sequence[int],
     same: Callable[[Any, Any], bool] = np.array_equal,
 ) -> Hint | None:
@@ -35,11 +35,11 @@ def known(
 
 
 def explained(
-    choices: Sequence[Sequence[tuple[Any, Text | None]]],
-    made: Callable[..., Any],
-    found: Callable[[int], Any],
+    choices: Sequence[Sequence[tuple[object, Text | None]]],
+    made: Callable[..., object],
+    found: Callable[[int], object],
     frames: Sequence[int],
-    same: Callable[[Any, Any], bool],
+    same: Callable[[object, object], bool],
 ) -> tuple[Text | None, ...] | None:
     """Return which choices draw what is found in all frames: the text of each, None if right.
 
@@ -59,10 +59,10 @@ def explained(
     return None
 
 
-def close(near: float) -> Callable[[Any, Any], bool]:
+def close(near: float) -> Callable[[object, object], bool]:
     """Return what says whether two arrays have one shape, and differ by less than ``near``."""
 
-    def same(one: Any, other: Any) -> bool:
+    def same(one: object, other: object) -> bool:
         first, second = np.asarray(one, float), np.asarray(other, float)
         return first.shape == second.shape and bool((np.abs(first - second) < near).all())
 
@@ -80,7 +80,7 @@ def blocks(frame: Frame, width: int, height: int) -> np.ndarray:
     return np.asarray(found[:height, :width], int)
 
 
-def colors(frame: Frame, width: int, height: int, table: Sequence[Any]) -> np.ndarray:
+def colors(frame: Frame, width: int, height: int, table: Sequence[object]) -> np.ndarray:
     """Return which colour of a table each block shows, (height, width); -1 for none of them."""
     apart = np.abs(blocks(frame, width, height)[:, :, None] - np.array(table)).max(axis=-1)
     return np.where(apart.min(axis=-1) < 8, apart.argmin(axis=-1), -1)

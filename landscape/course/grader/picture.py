@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from framelens.tape.buffers import Buffers
 def pictures(
     path: str | Path,
     frames: Iterable[int],
-    events: Any = None,
+    events: object = None,
     backend: str = "auto",
     limit: float = LIMIT,
 ) -> list[np.ndarray]:
@@ -35,7 +34,7 @@ class _Watcher:
         self.pictures: list[np.ndarray] = []
         self._frames = set(frames)
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def make(self, name: str, function: Callable[..., object]) -> Callable[..., object]:
         return function
 
     def opened(self, window: Window) -> None:

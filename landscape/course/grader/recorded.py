@@ -41,7 +41,7 @@ OFFSETS = 1 << 22  # chosen: bytes of a buffer; no address of memory is so low
 MOST_SIDE = 4096  # pixels, chosen: of a window
 KINDS = "biuf"  # of numbers in an array, as numpy names them
 
-Call = tuple[str, tuple[Any, ...]]
+Call = tuple[str, tuple[object, ...]]
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,8 @@ class Writer:
 
     def __init__(self) -> None:
         self.blobs = stream.Blobs()
-        self.calls: list[Any] = []
-        self._numbers: dict[Any, int] = {}
+        self.calls: list[object] = []
+        self._numbers: dict[object, int] = {}
         self._pointing: list[int] = []  # the calls that say where client arrays lie, if known
 
     def frame(self, calls: Iterable[Call | Sequence[Call]]) -> int:
@@ -96,10 +96,10 @@ class Writer:
                 self._pointing = pointing
         return self.blobs.add(np.array(indices, np.int32).tobytes())
 
-    def _number(self, name: str, args: tuple[Any, ...]) -> int:
+    def _number(self, name: str, args: tuple[object, ...]) -> int:
         """Return the index of a call; Unrecorded if it cannot be made again."""
         if all(type(each) in (int, float) for each in args):
-            key: Any = name, args, *map(type, args)
+            key: object = name, args, *map(type, args)
         else:
             key = repr((name, [_plain(each, self.blobs) for each in args]))
         number = self._numbers.get(key)
@@ -110,7 +110,7 @@ class Writer:
             self.calls.append([name, *(_plain(each, self.blobs) for each in args)])
         return number
 
-    def written(self, source: str, takes: Sequence[Mapping[str, Any]]) -> bytes:
+    def written(self, source: str, takes: Sequence[Mapping[str, object]]) -> bytes:
         """Return the bytes of a file, without compression."""
         answer = {"source": source, "calls": self.calls, "takes": takes}
         return b"".join(stream.parts(answer, self.blobs.all))
@@ -121,7 +121,7 @@ def _can_be_made(name: str) -> bool:
     return spec.function(name) is not None and not name.startswith("glMapBuffer")
 
 
-def said(size: Sequence[int], trial: Trial, made: Sequence[int]) -> dict[str, Any]:
+def said(size: Sequence[int], trial: Trial, made: Sequence[int]) -> dict[str, object]:
     """Return a take as it is written; ``made`` are the blobs of its frames."""
     return {
         "size": list(size),
@@ -142,7 +142,7 @@ def packed(recorded: Recorded) -> bytes:
     return lzma.compress(writer.written(recorded.source, takes))
 
 
-def _plain(value: Any, blobs: stream.Blobs) -> Any:
+def _plain(value: object, blobs: stream.Blobs) -> object:
     """Return an argument as JSON; Unrecorded for an address, or what is unknown."""
     if (offset := buffer_offset(value)) is not None:
         if not 0 <= offset < OFFSETS:
@@ -241,7 +241,7 @@ class _Reader:
             raise ValueError(f"no function of OpenGL: {name}")
         return name, tuple(map(self._value, args))
 
-    def _value(self, said: Any) -> Any:
+    def _value(self, said: object) -> object:
         """Return an argument from its form in JSON."""
         if isinstance(said, list):
             return [self._value(each) for each in said]

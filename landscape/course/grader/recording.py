@@ -13,7 +13,6 @@ import sys
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -89,7 +88,7 @@ class _Recorder(ExitStack):
         self.frames: list[list[recorded.Call]] = []
         self.pictures: list[np.ndarray] = []
 
-    def make(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    def make(self, name: str, function: Callable[..., object]) -> Callable[..., object]:
         return outermost(name, function, spec.draws(name))
 
     def opened(self, window: Window) -> None:

@@ -148,7 +148,9 @@ class Refusals:
     def _opening(self, original: Callable[..., int]) -> Callable[..., int]:
         """Return os.open, which does not tell from which folder a path leads."""
 
-        def opened(path: Any, flags: int, mode: int = 0o777, *, dir_fd: int | None = None) -> int:
+        def opened(
+            path: object, flags: int, mode: int = 0o777, *, dir_fd: int | None = None
+        ) -> int:
             if flags & WRITING and dir_fd is not None:
                 self._write(path, dir_fd, opens=True)
             return original(path, flags, mode, dir_fd=dir_fd)

@@ -184,7 +184,7 @@ class _Running:
             self.said = errors_in(self.errors)
 
 
-def _run(jobs: list[dict[str, Any]], ours: Prepared) -> list[_Running]:
+def _run(jobs: list[dict[str, object]], ours: Prepared) -> list[_Running]:
     """Run jobs beside each other; return their processes, which have ended."""
     started = [_begin(job, ours) for job in jobs]
     running = list(started)

@@ -36,7 +36,7 @@ class Blobs:
         return self._numbers[data]
 
 
-def parts(answer: Mapping[str, Any], blobs: Sequence[bytes] = ()) -> Iterator[bytes]:
+def parts(answer: Mapping[str, object], blobs: Sequence[bytes] = ()) -> Iterator[bytes]:
     """Yield the bytes of an answer and its blobs."""
     text = json.dumps({**answer, "blobs": [len(each) for each in blobs]}).encode()
     yield LENGTH.pack(len(text))
@@ -44,7 +44,7 @@ def parts(answer: Mapping[str, Any], blobs: Sequence[bytes] = ()) -> Iterator[by
     yield from blobs
 
 
-def send(file: int, answer: Mapping[str, Any], blobs: Sequence[bytes] = ()) -> None:
+def send(file: int, answer: Mapping[str, object], blobs: Sequence[bytes] = ()) -> None:
     """Write an answer and its blobs into a pipe."""
     for data in parts(answer, blobs):
         rest = memoryview(data)

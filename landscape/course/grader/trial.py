@@ -34,7 +34,7 @@ class Trial:
     """
 
     frames: Sequence[int]
-    events: Sequence[dict[str, Any]]
+    events: Sequence[dict[str, object]]
     presses: Mapping[int, Mapping[str, int]]
 
 
@@ -104,7 +104,7 @@ def elsewhere(trial: Trial) -> Test:
     return elsewhere
 
 
-def broken_off(error: Mapping[str, Any]) -> Hint:
+def broken_off(error: Mapping[str, object]) -> Hint:
     """Return the hint for a program that does not get to the last frame of a trial."""
     reason = hint(Text(SENTENCES[str(error["word"])]), **error)
     return hint(

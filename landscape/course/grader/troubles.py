@@ -1,7 +1,6 @@
 """Why a program could not be graded, as sentences; the words are those of witness.py."""
 
 from collections.abc import Mapping
-from typing import Any
 
 from framelens.base.texts import Texts, Translator, filled
 
@@ -59,13 +58,13 @@ MOST_LINES = 10**7  # chosen: of a program
 LONGEST = 400  # chosen: characters of a sentence
 
 
-def sentence(error: Mapping[str, Any], _: Translator) -> str:
+def sentence(error: Mapping[str, object], _: Translator) -> str:
     """Return what went wrong in a language, on one line; ``error`` has the "word" and values."""
     word = str(error["word"])
     return " ".join(filled(_(SENTENCES[word], word), error, _(".")).split())[:LONGEST]
 
 
-def known(error: Any) -> bool:
+def known(error: object) -> bool:
     """Return whether an error has a known word and the values of its sentence.
 
     A program may have sent another one: all its values are to be short texts or numbers, and its
@@ -82,5 +81,5 @@ def known(error: Any) -> bool:
     return True
 
 
-def _is_line(value: Any) -> bool:
+def _is_line(value: object) -> bool:
     return type(value) is int and 0 <= value < MOST_LINES

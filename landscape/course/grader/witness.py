@@ -83,7 +83,7 @@ def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
 
 def _trouble(
     error: ProgramError, witness: "Witness", refusals: Refusals, late: bool
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """Return what went wrong as a word of troubles.py, and the values of its message."""
     if package := str(error).partition("needs the Python package ")[2]:
         name = package.partition(",")[0].partition(":")[0]
@@ -130,7 +130,7 @@ def _line_of(message: str) -> int:
     return int(digits) if digits.isdigit() else 0
 
 
-def _exception(raised: str, details: str) -> dict[str, Any]:
+def _exception(raised: str, details: str) -> dict[str, object]:
     """Return the word for an exception, ``raised`` in one line, and the values of its message."""
     lines = [line.strip() for line in details.strip().splitlines()]
     if lines[-1].startswith(CAUGHT):
@@ -149,7 +149,7 @@ def _exception(raised: str, details: str) -> dict[str, Any]:
     return {"word": "raised", "error": f"GLError: {said}, in {call}"}
 
 
-def make(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+def make(name: str, function: Callable[..., object]) -> Callable[..., object]:
     """Return what notes the calls of an OpenGL function."""
     noted = outermost(name, function, spec.draws(name))
     return briefly(name, function, noted) if only_gives_numbers(name) else noted
@@ -171,8 +171,8 @@ class Witness(ExitStack):
         self._records = calls
         self._unnoted = ExitStack()
 
-        self._frames: dict[int, dict[str, Any]] = {}
-        self._states: list[dict[str, Any]] = []
+        self._frames: dict[int, dict[str, object]] = {}
+        self._states: list[dict[str, object]] = []
         self._of_call: dict[int, int] = {}  # the index of its state, by the call's identity
         self._ways: dict[int, list[tuple[int, str]]] = {}
         self._changed = True  # whether the state must be read again, and its matrices
@@ -185,7 +185,7 @@ class Witness(ExitStack):
 
         self.window: Window | None = None
         self.ended = 0  # frames that are complete
-        self.unclosed: dict[str, Any] = {}  # a call that draws between glBegin and glEnd
+        self.unclosed: dict[str, object] = {}  # a call that draws between glBegin and glEnd
         self.finished: Callable[[], None] = lambda: None
 
     make = staticmethod(make)
@@ -256,7 +256,7 @@ class Witness(ExitStack):
         """What is sent beside the evidence."""
         return self._writer.blobs.all
 
-    def evidence(self) -> dict[str, Any]:
+    def evidence(self) -> dict[str, object]:
         """Return all that was noted."""
         first = self._states[0] if self._states else {}
         made = None
@@ -276,22 +276,22 @@ class Witness(ExitStack):
             **self._writer.written(),
         }
 
-    def _calls_of_frame(self) -> Any:
+    def _calls_of_frame(self) -> object:
         if not self._records:
             return self._block(())
         calls = self._recorder.calls
         frame = [call for call in calls if call.pass_ != "setup"]
         return self._block(frame, self._recorder.brief or (), len(calls) - len(frame))
 
-    def _calls_of_setup(self) -> Any:
+    def _calls_of_setup(self) -> object:
         if not self._records:
             return self._block(())
         return self._block([call for call in self._recorder.calls if call.pass_ == "setup"])
 
-    def _block(self, calls: Sequence[Call], brief: Sequence[Brief] = (), before: int = 0) -> Any:
+    def _block(self, calls: Sequence[Call], brief: Sequence[Brief] = (), before: int = 0) -> object:
         more = {}
         for call in calls:
-            found: dict[str, Any] = {}
+            found: dict[str, object] = {}
             if id(call) in self._ways:
                 found["way"] = self._ways[id(call)]
             if id(call) in self._of_call:

@@ -3,10 +3,9 @@
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import product
-from typing import Any
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
 from framelens.base.fonts import font, monospaced, writable
 from framelens.inspector.panel import wrapped
@@ -138,7 +137,7 @@ def _caption(size: tuple[int, int], pixels: int, title: str, text: str, part: fl
     ]
 
 
-def _tall(lines: Sequence[Any], pixels: int) -> float:
+def _tall(lines: Sequence[object], pixels: int) -> float:
     return len(lines) * SPACING * pixels
 
 
@@ -284,7 +283,7 @@ def steps_image(
     return found
 
 
-def _cut(text: str, face: Any, width: float) -> str:
+def _cut(text: str, face: ImageFont.FreeTypeFont, width: float) -> str:
     if face.getlength(text) <= width:
         return text
     while text and face.getlength(f"{text}…") > width:
@@ -330,7 +329,7 @@ def text_image(size: tuple[int, int], height: int, lines: Sequence[str]) -> np.n
     return np.asarray(image)
 
 
-def _rows_of(line: str, face: Any, width: float) -> list[tuple[float, str]]:
+def _rows_of(line: str, face: ImageFont.FreeTypeFont, width: float) -> list[tuple[float, str]]:
     """Return a line of text in rows: how far each is indented, and its words."""
     indent = 1.2 * face.size if line.startswith(ITEM) else 0.0
     words = writable(line.removeprefix(ITEM), face)

@@ -1,10 +1,10 @@
 """The list of a lecture's steps: keys, letters and the mouse choose one of them."""
 
 import time
-from typing import Any
 
 import numpy as np
 
+from framelens.program.program_run import Library
 from landscape.course.lecture import texts
 from landscape.course.lecture.image import Listed, steps_image
 from landscape.course.lecture.plan import Lecture
@@ -45,7 +45,7 @@ class StepList:
         """Return the index of the step at a place in pixels from the top left."""
         return self._picture.at(x, y) if self._picture is not None else None
 
-    def press(self, glfw: Any, key: int) -> bool:
+    def press(self, glfw: Library, key: int) -> bool:
         """Take a key; return whether it is one of the list's."""
         last = len(self._rows) - 1
         boxes = self._picture.boxes if self._picture is not None else []

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 from framelens.base.errors import InputError, short
 from framelens.base.installation import how_to_add
@@ -54,7 +53,7 @@ def as_pdf(title: str, slides: Sequence[Slide], language: str, paper: str) -> by
         return made
 
 
-def _written(slide: Slide, folder: Path) -> dict[str, Any]:
+def _written(slide: Slide, folder: Path) -> dict[str, object]:
     """Write the picture of a slide into a folder; return what the template reads."""
     picture = None
     if slide.picture is not None:

@@ -7,7 +7,6 @@ a strip; and the first one, with which the inspector makes the setup again.
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from framelens.inspector.panel import Panel
 from framelens.inspector.program_inspector import FOREVER, PAUSE, ProgramInspector
 from framelens.program.program import run
 from framelens.program.program_events import Event, presses
-from framelens.program.program_run import Window
+from framelens.program.program_run import Library, Window
 from framelens.report.strip import Request, on_screen
 from framelens.state import state
 from framelens.tape.tape import Tape
@@ -118,7 +117,7 @@ class ProgramPlayer(ProgramInspector):
 
     # The window.
 
-    def attach(self, glfw: Any, window: Any, keys: Mapping[int, str]) -> None:
+    def attach(self, glfw: Library, window: object, keys: Mapping[int, str]) -> None:
         """Take what the stage passes on."""
         self._glfw = glfw
         self._window = window

@@ -151,7 +151,7 @@ def stand(stage: Stage, image: Callable[[tuple[int, int], int], np.ndarray]) -> 
 class _Still:
     """Plays a step that stands still: it takes no notice of the user."""
 
-    def key(self, *_: Any) -> None:
+    def key(self, *_: object) -> None:
         pass
 
     button = motion = scroll = inspect = key

@@ -7,7 +7,6 @@ import html
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from framelens.base.texts import Translator
 from landscape.course.grader.grading import _
@@ -106,7 +105,7 @@ def _piece(shared: Shared, _: Translator) -> str:
     return piece.replace("  ", " ")  # a sequence has no text
 
 
-def as_json(found: Sequence[Likeness]) -> list[dict[str, Any]]:
+def as_json(found: Sequence[Likeness]) -> list[dict[str, object]]:
     """Return the pairs as JSON."""
     return [
         {

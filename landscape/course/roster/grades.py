@@ -54,7 +54,7 @@ class Row:
     passed: bool = False
     points: float = 0.0
     of: float = 0.0
-    tests: Sequence[dict[str, Any]] = ()
+    tests: Sequence[Mapping[str, Any]] = ()
     hint: str = ""
     line: int = 0
     late: bool = False
@@ -115,7 +115,7 @@ def grade_class(
             lent_or_own(executor, count) as workers,
             closing(in_order(workers, partial(grade, rules), texts, ahead(count))) as results,
         ):
-            known: dict[bytes, tuple[dict[str, Any], bytes]] = {}
+            known: dict[bytes, tuple[dict[str, object], bytes]] = {}
             for each in found:
                 if each.data is not None and each.data not in known:
                     known[each.data] = next(results)
@@ -148,7 +148,7 @@ def _given(
     return Graded(replace(row, **values), each, picture)
 
 
-def grade(rules: Rules, data: bytes) -> tuple[dict[str, Any], bytes]:
+def grade(rules: Rules, data: bytes) -> tuple[dict[str, object], bytes]:
     """Return the values of a program's row, and its picture: a task for any executor."""
     shelf = Shelf(rules.exercises)
     # A program is given the same wherever the class lies.
@@ -196,7 +196,7 @@ class _Opened:
         self._place = Workplace()
         atexit.register(self.close)  # a worker keeps it until it ends
 
-    def graded(self, data: bytes) -> tuple[dict[str, Any], bytes]:
+    def graded(self, data: bytes) -> tuple[dict[str, object], bytes]:
         """Return the values of a program's row, and its picture as a PNG."""
         path = self._place.folder / "program.py"
         path.write_bytes(data)
@@ -223,10 +223,7 @@ _open: Kept[_Opened] = Kept()
 
 def _values(report: Report, rules: Rules) -> dict[str, Any]:
     translate = report.exercise.translate.to(rules.language)
-    tests = [
-        {name: test[name] for name in ("name", "passed", "hint", "points", "hidden")}
-        for test in verdicts(report, translate)
-    ]
+    tests = verdicts(report, translate)
 
     told = (each for each in report.results if each.hint is not None and not each.test.hidden)
     first = next((each.hint for each in told), None)
@@ -242,7 +239,16 @@ def _values(report: Report, rules: Rules) -> dict[str, Any]:
         "passed": report.passed,
         "points": round(whole * right / all_points, 2),
         "of": whole,
-        "tests": tests,
+        "tests": [
+            {
+                "name": test["name"],
+                "passed": test["passed"],
+                "hint": test["hint"],
+                "points": test["points"],
+                "hidden": test["hidden"],
+            }
+            for test in tests
+        ],
         "hint": first.written(translate) if first is not None else "",
         "line": _line(first),
     }

@@ -6,7 +6,6 @@ import json
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import asdict, fields
-from typing import Any
 from xml.etree import ElementTree
 
 from landscape.course.roster.grades import Row
@@ -28,7 +27,7 @@ def as_csv(rows: Sequence[Row]) -> bytes:
     return text.getvalue().encode()
 
 
-def _cell(value: Any) -> str:
+def _cell(value: object) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
@@ -47,9 +46,9 @@ def _is_shown(character: str) -> bool:
     return character.isprintable() or unicodedata.category(character) == "Zs"
 
 
-def as_json(rows: Sequence[Row], copies: Sequence[dict[str, Any]] | None = None) -> bytes:
+def as_json(rows: Sequence[Row], copies: Sequence[dict[str, object]] | None = None) -> bytes:
     """Return the rows as JSON: {"submissions": [...]}, and "copies" where those are asked for."""
-    whole: dict[str, Any] = {"submissions": [asdict(row) for row in rows]}
+    whole: dict[str, object] = {"submissions": [asdict(row) for row in rows]}
     if copies is not None:
         whole["copies"] = copies
     return (json.dumps(whole, indent=1, ensure_ascii=False) + "\n").encode("utf-8", "replace")
@@ -107,7 +106,7 @@ def as_gradescope(row: Row) -> bytes:
         for test in row.tests
     ]
 
-    result: dict[str, Any] = {
+    result: dict[str, object] = {
         "score": row.points,
         "execution_time": row.seconds,
         "output": row.error or row.hint,

@@ -64,7 +64,7 @@ def measure(
     jobs: int = 1,
     step: Callable[[str], None] = lambda _: None,
     version: str = "",
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """Draw ``count`` frames of the flight with the settings of each row, at ``size`` in pixels.
 
     Returns {"environment", its "hash", "version" of this program, "machine", "size", "frames",

@@ -18,7 +18,7 @@ MOST_BYTES = 1 << 20  # chosen: a result takes some kilobytes
 MACHINE = "machine"
 
 
-def read(path: Path) -> dict[str, Any]:
+def read(path: Path) -> dict[str, object]:
     """Return a result; InputError if the file is none."""
     wrong = InputError("{path}: expected a result of `landscape flyover --bench --json`", path=path)
     try:

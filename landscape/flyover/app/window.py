@@ -5,7 +5,6 @@ import math
 import os
 import time
 from collections.abc import Sequence
-from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.base.texts import choose, said
@@ -29,6 +28,7 @@ from landscape.walk.hands import Hands
 from landscape.walk.keys import pick
 from landscape.walk.preferences import Preferences
 from landscape.walk.screen import FullScreen, hide_cursor, save_screenshot
+from landscape.walk.walker import Intent
 
 SIZE = 1024, 768  # chosen: the size at which its speed is stated
 # The technique that each digit switches: of the lines, and of the filled ground.
@@ -220,7 +220,7 @@ class Flying:
         if not self._full_screen.toggle(self.context.window):
             self._say(self._word("no_monitor"))
 
-    def advance(self, intent: Any, switches: Sequence[str], seconds: float) -> None:
+    def advance(self, intent: Intent, switches: Sequence[str], seconds: float) -> None:
         """Go on for some seconds: along the path, or where keys and mouse fly."""
         for switch in switches:
             self._switch(switch)

@@ -10,7 +10,6 @@ hold for this mesh too.
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numba import njit
@@ -227,7 +226,7 @@ def _head(x: float, y: float, z: float, horn_curve: np.ndarray) -> float:
 
 
 @njit
-def dragon_field(x: float, y: float, z: float, data: Any) -> float:
+def dragon_field(x: float, y: float, z: float, data: tuple[np.ndarray, float, np.ndarray]) -> float:
     """Return the signed distance to the dragon: x to the front, y up, z to its right."""
     curve, pitch, horn = data
     i, t, distance = nearest(curve, x, y, z)
@@ -274,4 +273,4 @@ def dragon() -> PaintedMesh:
     return sculpt(dragon_field, data, low, high, STEP, VERTICES, dragon_colours, data)
 
 
-ASSETS: dict[str, Callable[[], Any]] = {"dragon.ply": dragon}
+ASSETS: dict[str, Callable[[], PaintedMesh]] = {"dragon.ply": dragon}

@@ -6,7 +6,6 @@ the animals.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 from numba import njit
@@ -171,7 +170,9 @@ def rabbit_colours(positions: np.ndarray, normals: np.ndarray, head_yaw: float) 
     return _bytes(_rabbit_colours(positions, normals, head_yaw))
 
 
-def dragon_colours(positions: np.ndarray, normals: np.ndarray, data: Any) -> np.ndarray:
+def dragon_colours(
+    positions: np.ndarray, normals: np.ndarray, data: tuple[np.ndarray, float, np.ndarray]
+) -> np.ndarray:
     """Return the colours, uint8 (n, 3), of points (n, 3) on the dragon, in its own frame."""
     return _bytes(_dragon_colours(positions, normals, data))
 

@@ -8,7 +8,6 @@ mesh too.
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numba import njit
@@ -66,7 +65,7 @@ def _head(x, y, z):  # type: ignore[no-untyped-def]
 
 
 @njit
-def rabbit_field(x: float, y: float, z: float, data: Any) -> float:
+def rabbit_field(x: float, y: float, z: float, data: object) -> float:
     """Return the signed distance to the rabbit: x to the front, y up, z to its right."""
     a = abs(z)
 
@@ -151,4 +150,7 @@ def animal_texture() -> np.ndarray:
     return images.to_uint8(images.shrink(light[..., None] * tint, 2))
 
 
-ASSETS: dict[str, Callable[[], Any]] = {"rabbit.ply": rabbit, "animal.png": animal_texture}
+ASSETS: dict[str, Callable[[], PaintedMesh | np.ndarray]] = {
+    "rabbit.ply": rabbit,
+    "animal.png": animal_texture,
+}

@@ -8,7 +8,7 @@ condition (Dey et al. 1999), which keeps the surface closed, then bring it to th
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import TypeVar
 
 import fast_simplification
 import numpy as np
@@ -19,7 +19,9 @@ from skimage import measure
 
 from landscape.studio.shapes import clamp
 
-Field = Callable[[float, float, float, Any], float]
+Paint = TypeVar("Paint")
+Data = TypeVar("Data")  # what a field is made of: numbers, arrays, or tuples of them
+Field = Callable[[float, float, float, Data], float]
 Mesh = tuple[np.ndarray, np.ndarray]
 PaintedMesh = tuple[np.ndarray, np.ndarray, np.ndarray]  # vertices, faces, vertex colours
 
@@ -39,7 +41,9 @@ def _sample_field(field, data, low, step, volume):  # type: ignore[no-untyped-de
                 )
 
 
-def triangulate(field: Field, data: Any, low: np.ndarray, high: np.ndarray, step: float) -> Mesh:
+def triangulate(
+    field: Field[Data], data: Data, low: np.ndarray, high: np.ndarray, step: float
+) -> Mesh:
     """Triangulate the zero level set of ``field`` in the box low..high; return its largest part.
 
     Raises ValueError if the surface is not closed.
@@ -98,7 +102,7 @@ def _project(field, data, vertices, reach):  # type: ignore[no-untyped-def]
 
 
 def fair(
-    field: Field, data: Any, vertices: np.ndarray, faces: np.ndarray, reach: float
+    field: Field[Data], data: Data, vertices: np.ndarray, faces: np.ndarray, reach: float
 ) -> np.ndarray:
     """Fair the mesh for smooth normals: relax it and project the vertices back onto the surface.
 
@@ -250,14 +254,14 @@ def is_closed(faces: np.ndarray) -> bool:
 
 
 def sculpt(
-    field: Field,
-    data: Any,
+    field: Field[Data],
+    data: Data,
     low: np.ndarray,
     high: np.ndarray,
     step: float,
     count: int,
-    paint: Callable[[np.ndarray, np.ndarray, Any], np.ndarray],
-    paint_data: Any,
+    paint: Callable[[np.ndarray, np.ndarray, Paint], np.ndarray],
+    paint_data: Paint,
 ) -> PaintedMesh:
     """Convert ``field`` to a closed mesh of exactly ``count`` vertices, its largest extent -1..1.
 

@@ -13,7 +13,6 @@ the hall is turned by half a turn.
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import fast_simplification
 import numpy as np
@@ -329,4 +328,4 @@ def great_hall() -> np.ndarray:
     return canvas
 
 
-ASSETS: dict[str, Callable[[], Any]] = {MESH: seen_through_gate, PICTURE: great_hall}
+ASSETS: dict[str, Callable[[], object]] = {MESH: seen_through_gate, PICTURE: great_hall}

@@ -13,13 +13,14 @@ open a vertex is to the sky around it, 255 on a ridge, and less in a cleft; gree
 import itertools
 import math
 from collections.abc import Callable
-from typing import Any
 
 import fast_simplification
 import numpy as np
 from numba import njit
 
 from landscape.studio.animals.sculpture import (
+    Data,
+    Field,
     PaintedMesh,
     is_closed,
     largest_piece,
@@ -110,7 +111,7 @@ def boulder(seed: int, flat: float, planes: int, rough: float) -> Shape:
 
 
 @njit
-def stone_field(x: float, y: float, z: float, data: Any) -> float:
+def stone_field(x: float, y: float, z: float, data: Shape) -> float:
     """Return about the signed distance to a shape: blocks, weathered, with layers."""
     planes, starts, weather = data
     bend = 0.05 * noise(1.7 * x + weather[2], 1.7 * y, 1.7 * z)
@@ -132,7 +133,7 @@ def stone_field(x: float, y: float, z: float, data: Any) -> float:
 
 
 @njit
-def log_field(x: float, y: float, z: float, data: Any) -> float:
+def log_field(x: float, y: float, z: float, data: np.ndarray) -> float:
     """Return the distance to a bleached trunk that lies along x, bent, with stubs of branches."""
     bend, stub = data[0], data[1]
     d = limb(x, y, z, -1.0, 0.02, 0.0, 0.085, 0.0, 0.05 * bend, 0.12 * bend, 0.075)
@@ -152,7 +153,9 @@ def _openness(field, data, vertices, normals, out):  # type: ignore[no-untyped-d
         out[i] = open_
 
 
-def openness(field: Any, vertices: np.ndarray, normals: np.ndarray, data: Any) -> np.ndarray:
+def openness(
+    field: Field[Data], vertices: np.ndarray, normals: np.ndarray, data: Data
+) -> np.ndarray:
     """Return colours, uint8 (n, 3), whose red says how much of its surroundings a vertex sees."""
     found = np.zeros(len(vertices))
     _openness(field, data, vertices, normals, found)
@@ -161,7 +164,7 @@ def openness(field: Any, vertices: np.ndarray, normals: np.ndarray, data: Any) -
     return colours
 
 
-def carved(field: Any, data: Any, step: float, counts: Counts) -> list[PaintedMesh]:
+def carved(field: Field[Data], data: Data, step: float, counts: Counts) -> list[PaintedMesh]:
     """Return a shape of about each number of faces, closed; the largest extent is -1..1."""
     dense, faces = triangulate(field, data, np.full(3, -1.6), np.full(3, 1.6), step)
     dense = np.ascontiguousarray(relax(dense, faces, 1), np.float32)
@@ -190,20 +193,21 @@ def reduced(vertices: np.ndarray, faces: np.ndarray, count: int) -> tuple[np.nda
 
 def stones() -> PaintedMesh:
     """Return all shapes, each about its place in the row."""
-    made: list[tuple[Any, Any, float, Counts]] = []
+    made: list[list[PaintedMesh]] = []
     for k, count in enumerate(CRAGS):
-        made.append((stone_field, crag(411 + k), STEP, count))
+        made.append(carved(stone_field, crag(411 + k), STEP, count))
     kinds = (BOULDERS, 0.72, 15, 0.035), (STONES, 0.6, 12, 0.03), (PEBBLES, 0.6, 9, 0.0)
     for first, (counts, flat, planes, rough) in enumerate(kinds):
         for k, count in enumerate(counts):
             shape = boulder(421 + 10 * first + k, flat, planes, rough)
-            made.append((stone_field, shape, STEP, count))
+            made.append(carved(stone_field, shape, STEP, count))
 
     for bend, count in zip((1.0, -1.0), LOGS, strict=True):
-        made.append((log_field, np.array([bend, 0.2 * bend, 6.0 - 3.0 * bend]), STEP / 2, count))
+        bent = np.array([bend, 0.2 * bend, 6.0 - 3.0 * bend])
+        made.append(carved(log_field, bent, STEP / 2, count))
     parts = []
-    for k, each in enumerate(made):
-        for level, (points, faces, colours) in enumerate(carved(*each)):
+    for k, levels in enumerate(made):
+        for level, (points, faces, colours) in enumerate(levels):
             parts.append(
                 (points + np.array([APART * k, 0.0, APART * level], np.float32), faces, colours)
             )
@@ -216,4 +220,4 @@ def stones() -> PaintedMesh:
     )
 
 
-ASSETS: dict[str, Callable[[], Any]] = {"stones.ply": stones}
+ASSETS: dict[str, Callable[[], PaintedMesh]] = {"stones.ply": stones}
