@@ -82,6 +82,11 @@ ENDS = {
         "class Keeper:\n    def __del__(self):\n        while True: pass\nk = Keeper()" + SHOW,
         "was ended within one call",
     ),
+    "never says what it raises": (
+        "class E(Exception):\n    def __str__(self):\n        while True: pass\nraise E",
+        "was ended within one call",
+    ),
+    "takes standard error away": ("import sys\nsys.stderr = None", "ended after no frames"),
 }
 
 

@@ -36,6 +36,11 @@ PROGRAMS = {
     "takes all memory": (HEAD + OPEN + "data = [bytearray(1 << 28) for _ in range(9)]", "memory"),
     "prints": (SOLUTION.replace("import glfw\n", "import glfw\nprint('x' * 9**8)\n", 1), ""),
     "raises": (HEAD + OPEN + "1 / 0\n", "raised"),
+    "raises what Ctrl-C raises": (HEAD + "raise KeyboardInterrupt\n", "raised"),
+    "raises what ends the process that asks it": (
+        HEAD + "class Odd(Exception):\n    def __str__(self): os._exit(3)\n\nraise Odd\n",
+        "raised",
+    ),
     "starts a program": (HEAD + "os.system('true')\n", "start"),
 }
 if hasattr(os, "fork"):

@@ -1,6 +1,7 @@
 """The voxel island where OpenGL lacks a piece, in odd sizes and places, and the state it leaves."""
 
 import itertools
+import threading
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from landscape.voxel.packed_mesh import packed, unpacked
 from landscape.voxel.region_buffer import Light, RegionBuffer
 from landscape.voxel.region_buffers import RegionBuffers
 from landscape.voxel.voxel import SCENE, Voxel
-from landscape.voxel.world import Changes
+from landscape.voxel.world import Changes, World
 
 SMALL = {"voxel.regions": 4, "voxel.region_size": 30, "shadow.size": 256}
 SEEN = ("land", "sky", "water")
@@ -298,3 +299,29 @@ def test_a_region_and_a_land_that_do_not_fit_in_memory_are_refused(
     refusal = pytest.raises(InputError, match="more than 2000 vertices")
     with refusal, Offscreen((8, 8), None, small, "auto", 0, place="voxel") as drawn:
         drawn.draw()
+
+
+def test_of_a_land_that_is_refused_no_more_is_meshed_and_nothing_twice(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    meshed, begun, refused = build.meshed, [], threading.Event()
+
+    def counted(place: World, region: int, *rest: Any) -> Any:
+        begun.append(region)
+        if len(begun) > 40 and not refused.wait(20):  # the refusal needs less
+            refused.set()
+        return meshed(place, region, *rest)
+
+    monkeypatch.setattr(build, "meshed", counted)
+    monkeypatch.setattr(build, "MOST_CELLS", 1)
+    monkeypatch.setattr(build, "LARGE", 1000)
+    monkeypatch.setattr(build, "MOST_VERTICES", 2000)
+    monkeypatch.setenv("LANDSCAPE_CACHE", "")
+    settings = with_settings(SCENE.settings, {"voxel.regions": 16, "voxel.region_size": 8})
+    before = set(threading.enumerate())
+    with pytest.raises(InputError, match="more than 2000 vertices"):
+        build.built(settings, Assets(), 0)
+    refused.set()
+    for thread in set(threading.enumerate()) - before:
+        thread.join(60)
+    assert len(set(begun)) == len(begun) <= 40 + build.THREADS, begun

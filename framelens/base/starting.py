@@ -1,12 +1,18 @@
 """How a command begins, before it has imported what can handle anything: it is imported first."""
 
+from __future__ import annotations
+
 import os
 import signal
 import sys
-from collections.abc import Callable
-from typing import NoReturn
 
 from framelens.base.packages import speaker
+
+# Until the handler is there, Ctrl-C prints a traceback: typing would take a quarter of that time.
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import NoReturn
 
 INTERRUPTED = 128 + signal.SIGINT  # the exit status, by the shell's rule
 

@@ -226,7 +226,8 @@ def _execute(state: Run, module: ModuleType) -> None:
     except (KeyboardInterrupt, NoOpenGLError) as error:
         state.stop(error)
     except BaseException as error:
+        first = sys.exc_info()[2]  # the exception itself may say anything
         if not state.failed(error):
             state.stop(raised(state.source.path, error))
         # The frames hold the program's objects, which must go while its context is there.
-        traceback.clear_frames(error.__traceback__)
+        traceback.clear_frames(first)

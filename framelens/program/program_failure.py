@@ -25,44 +25,84 @@ MEANINGS = {
 NO_INPUT = "it asks for input; it gets what the command does, as in `echo 5 | {speaker} trace ...`"
 # On Windows, ctypes makes an exception of a crash in a function of C.
 CAUGHT = "OSError: exception: "
+SAYS = 1.0  # seconds, chosen: that an exception may take to say what it is
+LONGEST = 2000  # characters, chosen: of what it says
+MOST_SHOWN = 20_000  # characters, chosen: of its traceback
 
 
 def raised(path: Path, error: BaseException) -> ProgramError:
-    """Return the error to show for what a program raised, with its own part of the traceback."""
-    guard.stand_by()  # to say what it was needs memory, too
+    """Return the error to show for what a program raised, with its own part of the traceback.
+
+    An exception is the program's own code, too: it may raise others when it is asked what it is, go
+    on for ever, or say gigabytes. Then its name stands for it.
+    """
     calls = [at for at in _traceback(error) if at.tb_frame.f_code.co_filename == str(path)]
-    shown = error.with_traceback(calls[0] if calls else None)
-    details = "".join(_without_ours(traceback.TracebackException.from_exception(shown)).format())
-    if isinstance(error, ModuleNotFoundError) and error.name:
-        name = error.name.split(".")[0]
-        if name not in ("OpenGL", path.stem):
-            return ProgramError(
-                "{path}: needs the Python package {name}, not installed",
-                details,
-                path=path,
-                name=name,
-            )
-
+    first = calls[0] if calls else None
+    missing, reason, details = "", _name(error), ""
+    guard.go_on(SAYS)  # within the program's memory
     try:
-        text = str(error).strip().splitlines()
-    except Exception:  # the program's own error may be unable to say what it is
-        text = []
-
-    reason = f"{type(error).__name__}: {text[0]}" if text else type(error).__name__
-    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
-        reason = _of_opengl(error)
-    if reason.startswith(CAUGHT):
-        reason += f", as OpenGL does {guard.SHORT_ARRAY}"
-    if isinstance(error, MemoryError):
+        missing = _missing(path, error)
+        reason = _reason(error)
+        details = _details(error, first)
+    except BaseException:  # not only Exception: what it raises may be anything
+        pass
+    guard.stand_by()
+    details = details or f"{''.join(traceback.format_tb(first))}{reason}\n"
+    if missing:
+        return ProgramError(
+            "{path}: needs the Python package {name}, not installed",
+            details,
+            path=path,
+            name=missing,
+        )
+    if issubclass(type(error), MemoryError):
         reason += guard.memory()
-    if isinstance(error, EOFError):
-        reason += f" ({NO_INPUT.format(speaker=speaker())})"
 
     # The last of the program's own lines, which calls what is not its own.
     line = f", line {calls[-1].tb_lineno}" if calls else ""
     return ProgramError(
         "{path}{line}: the program raised {reason}", details, path=path, line=line, reason=reason
     )
+
+
+def _missing(path: Path, error: BaseException) -> str:
+    """Return the name of the package that the program needs and does not find; "" for none."""
+    if not isinstance(error, ModuleNotFoundError) or not error.name:
+        return ""
+    name = _start(error.name).split(".")[0]
+    return "" if name in ("OpenGL", path.stem) else name
+
+
+def _reason(error: BaseException) -> str:
+    """Return on one line what an exception says."""
+    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
+        return _of_opengl(error)
+    text = _start(str(error)).strip().splitlines()
+    reason = f"{_name(error)}: {text[0]}" if text else _name(error)
+    if reason.startswith(CAUGHT):
+        reason += f", as OpenGL does {guard.SHORT_ARRAY}"
+    if isinstance(error, EOFError):
+        reason += f" ({NO_INPUT.format(speaker=speaker())})"
+    return reason
+
+
+def _name(error: BaseException) -> str:
+    """Return the name of an exception's class, whatever the class says of it."""
+    return _start(type.__dict__["__name__"].__get__(type(error)))
+
+
+def _start(text: str) -> str:
+    """Return how a text begins, of a class of the program's or not."""
+    return str.__getitem__(text, slice(LONGEST))
+
+
+def _details(error: BaseException, first: TracebackType | None) -> str:
+    """Return an exception's traceback from a call on, as Python shows it, or its two ends."""
+    shown = BaseException.with_traceback(error, first)
+    text = "".join(_without_ours(traceback.TracebackException.from_exception(shown)).format())
+    if len(text) > MOST_SHOWN:
+        text = f"{text[: MOST_SHOWN // 2]}\n...\n{text[-MOST_SHOWN // 2 :]}"
+    return text
 
 
 def _without_ours(
@@ -79,7 +119,7 @@ def _without_ours(
 
 def _traceback(error: BaseException) -> Iterator[TracebackType]:
     """Yield the calls that led to an exception, from the outermost."""
-    at = error.__traceback__
+    at: TracebackType | None = BaseException.__dict__["__traceback__"].__get__(error)
     while at is not None:
         yield at
         at = at.tb_next

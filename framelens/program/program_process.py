@@ -27,7 +27,7 @@ def as_main(source: Source, arguments: list[str], given: Any) -> Iterator[None]:
     folder = str(source.path.resolve().parent)
     thread: Any = threading.current_thread()
     end = os._exit
-    stdin = sys.stdin
+    stdin, stderr = sys.stdin, sys.stderr
     us = os.getpid()
     tell = threading.excepthook
 
@@ -51,7 +51,7 @@ def as_main(source: Source, arguments: list[str], given: Any) -> Iterator[None]:
         thread._daemonic = False
         threading.excepthook = tell
         os._exit = end
-        sys.stdin = stdin
+        sys.stdin, sys.stderr = stdin, stderr
         sys.argv, sys.path = before[:2]
         os.chdir(before[2])
         os.environ.clear()

@@ -5,11 +5,10 @@ All of it is kept in the cache, so that it is made once.
 
 import contextlib
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from itertools import product
-from typing import TypeVar
 
 import numpy as np
 
@@ -41,8 +40,8 @@ from landscape.voxel.relief import roughened
 from landscape.voxel.settings import Settings, Shadow, Voxel
 from landscape.voxel.world import MOST_AT_ONCE, MOST_BLOCKS, MOST_COLUMNS, ROOM, World
 
-Meshes = Sequence[RegionMesh | PackedMesh]
-M = TypeVar("M", RegionMesh, PackedMesh)
+Mesh = RegionMesh | PackedMesh
+Meshes = Sequence[Mesh]
 
 TINT_SIZE = 40.0  # columns, chosen: size of the largest patches of lighter and darker tint
 # Settings of which the world and its meshes are made.
@@ -79,13 +78,12 @@ BLUE_SKY = np.array([0.94, 0.98, 1.06])
 WARMER = 0.35  # chosen: how far the light of the sky has the colour of the sun's
 
 
-class TooManyVertices(Exception):
-    """The meshes of a world take more memory than they may."""
+class TooLargeToKeep(Exception):
+    """A world that the cache does not keep, with its meshes, which are packed."""
 
-
-def unchanged(mesh: RegionMesh) -> RegionMesh:
-    """Return a mesh as it is."""
-    return mesh
+    def __init__(self, place: World, found: Meshes) -> None:
+        super().__init__()
+        self.place, self.found = place, found
 
 
 def image_heights(values: Voxel, assets: Assets) -> Heights:
@@ -206,17 +204,18 @@ def look(settings: Settings, land: Heights, seed: int) -> Look:
 
 
 def meshes(
-    place: World, colours: Look, values: Voxel, kept: Callable[[RegionMesh], M]
-) -> Iterator[tuple[M, ...]]:
+    place: World, colours: Look, values: Voxel, kept: Callable[[RegionMesh], Mesh]
+) -> Generator[tuple[Mesh, ...], None, None]:
     """Yield the meshes of each region, for near, for far, and distant, as ``kept`` returns them.
 
-    Threads share the work: numpy lets others run while it goes through large arrays.
+    Threads share the work: numpy lets others run while it goes through large arrays. They work
+    ahead, until this is closed.
     """
     size, height = place.region_size, place.blocks.shape[2]
     many = max(1, MOST_CELLS // (size * size * height))
     number, rows = min(many, place.regions), max(1, many // place.regions)
 
-    def part(row: int, column: int) -> list[tuple[M, ...]]:
+    def part(row: int, column: int) -> list[tuple[Mesh, ...]]:
         """Return the meshes of so many regions from one on."""
         across, along = min(rows, place.regions - row), min(number, place.regions - column)
         first = row * place.regions + column
@@ -233,41 +232,37 @@ def meshes(
         workers.shutdown(wait=False, cancel_futures=True)
 
 
-def by_level(found: Iterable[tuple[M, ...]], most: int) -> list[M]:
+def all_meshes(place: World, colours: Look, values: Voxel) -> Meshes:
     """Return the meshes of all regions: first all those for near, then for far, then distant.
 
-    TooManyVertices once they have more than ``most`` vertices.
+    If they are large they are packed, from the moment when that shows. InputError for too many.
     """
-    regions, count = [], 0
-    for region in found:
-        regions.append(region)
-        count += sum(mesh.size for mesh in region)
-        if count > most:
-            raise TooManyVertices
+    large = place.side > MOST_KEPT
+    give_back()
+
+    def kept(mesh: RegionMesh) -> Mesh:
+        return packed(mesh) if large else mesh
+
+    regions: list[tuple[Mesh, ...]] = []
+    count = 0
+    # Threads that nobody waits for would take as much memory as the meshes that are refused.
+    with contextlib.closing(meshes(place, colours, values, kept)) as found:
+        for region in found:
+            count += sum(mesh.size for mesh in region)
+            if count > MOST_VERTICES:
+                raise InputError(
+                    "the land of blocks has more than {most} vertices, which do not fit in memory: "
+                    "expected a smoother voxel.height_image, fewer voxel.levels or fewer changed "
+                    "blocks",
+                    most=MOST_VERTICES,
+                )
+            if count > LARGE and not large:
+                large = True
+                regions = [tuple(map(packed, each)) for each in regions]
+            # What threads had made before is not packed yet.
+            regions.append(tuple(map(packed, region)) if large else region)
+    give_back()
     return [mesh for level in zip(*regions, strict=True) for mesh in level]
-
-
-def all_meshes(place: World, colours: Look, values: Voxel) -> Meshes:
-    """Return the meshes of all regions, as :func:`by_level`, packed if they are large."""
-    if place.side <= MOST_KEPT:
-        with contextlib.suppress(TooManyVertices):
-            return by_level(meshes(place, colours, values, unchanged), LARGE)
-    return packed_meshes(place, colours, values)
-
-
-def packed_meshes(place: World, colours: Look, values: Voxel) -> Meshes:
-    """Return the meshes of all regions, as :func:`by_level`, packed; InputError for too many."""
-    give_back()
-    try:
-        small = by_level(meshes(place, colours, values, packed), MOST_VERTICES)
-    except TooManyVertices:
-        raise InputError(
-            "the land of blocks has more than {most} vertices, which do not fit in memory: "
-            "expected a smoother voxel.height_image, fewer voxel.levels or fewer changed blocks",
-            most=MOST_VERTICES,
-        ) from None
-    give_back()
-    return small
 
 
 def meshed(
@@ -324,17 +319,18 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
 
     def make() -> tuple[np.ndarray, ...]:
         place = world(values, assets, seed)
-        found = by_level(meshes(place, colours, values, unchanged), LARGE)
-        vertices = np.concatenate([mesh.vertices for mesh in found])
-        counts = np.stack([mesh.counts for mesh in found])
+        found = all_meshes(place, colours, values)
+        kept = [mesh for mesh in found if isinstance(mesh, RegionMesh)]
+        if len(kept) < len(found):
+            raise TooLargeToKeep(place, found)
+        vertices = np.concatenate([mesh.vertices for mesh in kept])
+        counts = np.stack([mesh.counts for mesh in kept])
         return place.blocks, place.ground, vertices.view(np.uint8), counts
 
-    if values.regions * values.region_size > MOST_KEPT:
-        return _built_packed(settings, assets, seed, colours)
     try:
         blocks, ground, data, counts = recall(parts, make)
-    except TooManyVertices:
-        return _built_packed(settings, assets, seed, colours)
+    except TooLargeToKeep as large:
+        return large.place, colours, large.found
     place = World(blocks, ground, values.region_size, values.sea, values.block)
     vertices = data.view(VERTEX)
     ends = np.cumsum(counts.reshape(len(counts), -1).sum(axis=1))
@@ -344,11 +340,3 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
         for end, count in zip(ends, counts, strict=True)
     ]
     return place, colours, found
-
-
-def _built_packed(
-    settings: Settings, assets: Assets, seed: int, colours: Look
-) -> tuple[World, Look, Meshes]:
-    """Return what :func:`built` does, with packed meshes, of which the cache keeps nothing."""
-    place = world(settings.voxel, assets, seed)
-    return place, colours, packed_meshes(place, colours, settings.voxel)

@@ -28,8 +28,10 @@ class PackedMesh:
     data: bytes
 
 
-def packed(mesh: RegionMesh) -> PackedMesh:
-    """Return a mesh compressed."""
+def packed(mesh: RegionMesh | PackedMesh) -> PackedMesh:
+    """Return a mesh compressed, unless it is so already."""
+    if isinstance(mesh, PackedMesh):
+        return mesh
     words = mesh.vertices.view(np.uint32).reshape(-1, WORDS)
     data = zlib.compress(words.T.tobytes(), LEVEL)
     return PackedMesh(mesh.size, mesh.counts, mesh.box, data)

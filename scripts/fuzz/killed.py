@@ -5,7 +5,8 @@
 
 A copy of this process saves a world, a film, assets or a recording over an earlier file, and is
 killed (SIGKILL). Then the file must be the earlier one or the new one, whole. Once another has
-written it to the end, nothing may lie beside it; and no process may be left. It needs POSIX.
+written it to the end, nothing may lie beside it; and no process may be left. A film in parts begins
+with some of its parts; each must be whole, or not there. It needs POSIX.
 """
 
 import argparse
@@ -20,6 +21,7 @@ from pathlib import Path
 
 SIZE = (64, 48)
 EARLIER = b"earlier" * 1000
+PARTS = "parts"  # a folder of files of which some are deleted before each try
 ASSETS = ("castle_light.png",)  # the one that is made soonest
 OFTEN = 20  # chosen: kills until the file is written to the end again
 PATIENCE = 5.0  # seconds, chosen: until processes that were left must have ended
@@ -69,18 +71,28 @@ def assets(folder: Path) -> None:
     build(list(ASSETS), folder, quiet=True)
 
 
-def film(folder: Path, jobs: int = 1) -> None:
+def film(folder: Path, *words: str, jobs: int = 1, seconds: float = 0.4) -> None:
     """Draw a film."""
     from landscape.cli import main
 
-    words = ["film", "fig2a", "--out", str(folder / "film.gif"), "--size", "64x48", "-q"]
-    words += ["--seconds", "0.4", "--fps", "10", "--preset", "2006", "--only", "sky"]
-    main([*words, "--jobs", str(jobs)])
+    given = ["film", "fig2a", "--out", str(folder / "film.gif"), "--size", "64x48", "-q"]
+    given += ["--seconds", str(seconds), "--fps", "10", "--preset", "2006", "--only", "sky"]
+    assert main([*given, "--jobs", str(jobs), *words]) == 0
 
 
 def film_by_two(folder: Path) -> None:
     """Draw a film by two processes more."""
-    film(folder, 2)
+    film(folder, jobs=2)
+
+
+def film_in_parts(folder: Path, jobs: int = 1) -> None:
+    """Draw a film in three parts, which stay in a folder."""
+    film(folder, "--parts", str(folder / PARTS), jobs=jobs, seconds=9.0)
+
+
+def film_in_parts_by_two(folder: Path) -> None:
+    """Draw a film in parts by two processes more."""
+    film_in_parts(folder, 2)
 
 
 KINDS: dict[str, tuple[Callable[[Path], None], Sequence[str]]] = {
@@ -89,6 +101,8 @@ KINDS: dict[str, tuple[Callable[[Path], None], Sequence[str]]] = {
     "assets": (assets, ASSETS),
     "film": (film, ["film.gif"]),
     "film_by_two": (film_by_two, ["film.gif"]),
+    "film_in_parts": (film_in_parts, ["film.gif"]),
+    "film_in_parts_by_two": (film_in_parts_by_two, ["film.gif"]),
 }
 
 
@@ -140,6 +154,11 @@ def complete(work: Callable[[Path], None], folder: Path) -> float:
     return time.monotonic() - start
 
 
+def files_in(folder: Path) -> set[str]:
+    """Return the names of all files in a folder and those in it."""
+    return {str(each.relative_to(folder)) for each in folder.rglob("*") if not each.is_dir()}
+
+
 def tried(kind: str, times: int, chance: random.Random) -> list[str]:
     """Kill one kind of work so many times; return what was wrong, and print what happened."""
     work, names = KINDS[kind]
@@ -148,11 +167,17 @@ def tried(kind: str, times: int, chance: random.Random) -> list[str]:
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place).resolve()
         complete(work, folder)  # the first time it may import
-        new = {name: (folder / name).read_bytes() for name in names}
+        parts = [f"{PARTS}/{name}" for name in sorted(files_in(folder / PARTS))]
+        new = {name: (folder / name).read_bytes() for name in (*names, *parts)}
+        for part in parts:
+            (folder / part).unlink()
         longest = complete(work, folder)
         for number in range(times):
             for name in names:
                 (folder / name).write_bytes(EARLIER)
+            for part in parts:
+                if chance.random() < 0.5:
+                    (folder / part).unlink(missing_ok=True)
             pid = begun(work, folder)
             time.sleep(chance.uniform(0, longest * 1.1))
             os.kill(pid, signal.SIGKILL)
@@ -164,9 +189,12 @@ def tried(kind: str, times: int, chance: random.Random) -> list[str]:
                 if data not in (EARLIER, new[name]):
                     wrong.append(f"{kind} {number}: {name} has {len(data)} other bytes")
                 counts["new" if data == new[name] else "earlier"] += 1
+            for part in filter(lambda part: (folder / part).exists(), parts):
+                if (folder / part).read_bytes() != new[part]:
+                    wrong.append(f"{kind} {number}: {part} is not whole")
             if number % OFTEN == OFTEN - 1 or number == times - 1:
                 complete(work, folder)
-                rubbish = sorted({each.name for each in folder.iterdir()} - set(names))
+                rubbish = sorted(files_in(folder) - set(new))
                 if rubbish:
                     wrong.append(f"{kind} {number}: left behind: {', '.join(rubbish)}")
     print(f"{kind}: {times} kills within {longest:.2f} s: {counts}, {len(wrong)} wrong", flush=True)

@@ -19,7 +19,7 @@ from framelens.gl.framebuffer import read_pixels
 from framelens.gl.notes import Brief, Call
 from framelens.gl.seam import begin_pass, briefly, frame_begins, gl, outermost, recording, unnoted
 from framelens.program import program
-from framelens.program.program_failure import CAUGHT
+from framelens.program.program_failure import CAUGHT, raised
 from framelens.program.program_run import Window
 from framelens.program.program_source import ProgramError
 from framelens.spec import spec
@@ -77,6 +77,9 @@ def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
     except ProgramError as error:
         late = f"within {job['seconds']:g} s" in str(error)
         end({"error": _trouble(error, witness, refusals, late)})
+    except KeyboardInterrupt as error:  # its own: there is no keyboard
+        failure = raised(Path(job["path"]), error)
+        end({"error": _trouble(failure, witness, refusals, late=False)})
     except (InputError, NoOpenGLError) as error:
         end({"error": {"word": "refused", "reason": str(error)}})
 
