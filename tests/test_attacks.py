@@ -43,6 +43,7 @@ HEAD = """
 import ctypes, os, sys
 from pathlib import Path
 C = ctypes.CDLL(None, use_errno=True)
+C.opendir.restype = ctypes.c_void_p
 HOME, OTHER, COURSE = Path({home!r}), Path({other!r}), Path({course!r})
 PARENT, GRADER, PORT = os.getppid(), {grader}, {port}
 
@@ -177,7 +178,7 @@ link = os.environ["TMPDIR"] + "/link"
 C.link(bytes(OTHER), link.encode()), C.symlink(bytes(OTHER), link.encode())
 by_c(link)
 for folder in (OTHER.parent, HOME):
-    if C.opendir(bytes(folder)) > 0 and os.listdir(folder):
+    if C.opendir(bytes(folder)) and os.listdir(folder):
         leak(folder)
 """,
     "reads the solution and the grader": """
@@ -196,7 +197,7 @@ for name in ("landscape.course.exercises.winding.solution", "landscape.course.ex
     "reads the solution that was put together": """
 kept = Path(os.environ["TMPDIR"]).parent / "kept"
 by_c(kept / "winding-solution.py")
-if C.opendir(bytes(kept)) > 0 and os.listdir(kept):
+if C.opendir(bytes(kept)) and os.listdir(kept):
     leak(kept)
 """,
     "looks into other processes": """
@@ -299,6 +300,59 @@ for file in Path(os.environ["MESA_SHADER_CACHE_DIR"]).rglob("*"):
     if not target.startswith(os.environ["TMPDIR"]) and C.open(target.encode(), 2) >= 0:
         leak(target)
 """,
+    "says that nothing contains it": """
+import json, stat, struct
+text = json.dumps({"uncontained": "no system", "no_opengl": "none", "blobs": []}).encode()
+for file in range(3, 64):
+    try:
+        if stat.S_ISFIFO(os.fstat(file).st_mode):
+            os.write(file, struct.pack(">Q", len(text)) + text)
+    except OSError:
+        pass
+C._exit(0)
+""",
+    "looks for all other processes": """
+for entry in range(1, os.getpid() + 100):
+    for name in ("environ", "mem", "maps", "cmdline", "stat", "task", "fd", "root/etc", "exe"):
+        if entry != os.getpid() and C.open(f"/proc/{entry}/{name}".encode(), 0) >= 0:
+            leak(name)
+    if entry != os.getpid() and C.readlink(f"/proc/{entry}/cwd".encode(), bytes(99), 99) > 0:
+        leak("cwd")
+if C.opendir(b"/proc"):
+    leak("the list of processes")
+""",
+    "writes on the grader's terminal": """
+for path in ("/dev/tty", "/dev/console", "/dev/ptmx", *(f"/dev/pts/{k}" for k in range(10))):
+    if C.open(path.encode(), 1) >= 0:
+        leak(path)
+print("\\x1b[2J6 of 6", file=sys.stderr)
+""",
+    "opens its files once more, with other rights": """
+import stat
+for file in range(3, 64):
+    try:
+        kind, again = os.fstat(file), C.open(f"/proc/self/fd/{file}".encode(), 2)
+    except OSError:
+        continue
+    if stat.S_ISDIR(kind.st_mode) or stat.S_ISREG(kind.st_mode) and kind.st_nlink:
+        leak("a file with a name")
+    if again >= 0 and stat.S_ISFIFO(kind.st_mode):
+        C.fcntl(again, 4, 2048)
+        if C.read(again, ctypes.create_string_buffer(99), 99) > 0:
+            leak("the answer of another")
+""",
+    "uses the calls of 32 bits": """
+import mmap
+code = mmap.mmap(-1, 4096, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | 0x40, prot=7)
+begin = ctypes.addressof(ctypes.c_char.from_buffer(code))
+path = bytes(HOME / "precious.txt") + b"\\0"
+code[256 : 256 + len(path)] = path
+if os.uname().machine == "x86_64":  # mov eax, 5; mov ebx, path; xor ecx, ecx; int 0x80; ret
+    instructions = b"\\xb8\\x05\\0\\0\\0\\xbb" + (begin + 256).to_bytes(4, "little")
+    code[: len(instructions) + 5] = instructions + b"\\x31\\xc9\\xcd\\x80\\xc3"
+    if ctypes.CFUNCTYPE(ctypes.c_int)(begin)() >= 0:
+        leak("open of 32 bits")
+""",
     DEFECT: """
 import json, stat, struct
 text = json.dumps({"trouble": "Traceback", "blobs": []}).encode()
@@ -400,6 +454,26 @@ def test_an_attack_reaches_nothing(name: str, grader: Grader, home: Path, port: 
     after = grader.check(home / "work" / "other.py")
     assert after.passed and after.contained == LANDLOCK
     assert not list(grader._sandbox._place.folder.glob("[0-9]*"))  # type: ignore[union-attr]
+
+
+STOPS = """
+import signal
+for number in set(range(1, 65)) - {9, 19, 32, 33}:
+    signal.signal(number, signal.SIG_IGN)
+C.kill(os.getpid(), 19)
+wait()
+"""
+
+
+@pytest.mark.seldom(2)
+def test_a_program_that_stops_itself_and_is_deaf_to_all_signals_is_ended(
+    grader: Grader, home: Path, port: int
+) -> None:
+    running = processes(home)
+    with Grader(2.0, REQUIRE) as other:
+        report = attack(other, home, port, STOPS)
+        assert report.error is not None and report.error["word"] == "late"
+        assert_nothing_runs_but(other, running, home)
 
 
 HOLDS = """

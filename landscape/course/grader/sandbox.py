@@ -168,8 +168,6 @@ class Sandbox:
             outcomes = []
             for job, end in zip(jobs, ends, strict=True):
                 answer = received(end.data)
-                if answer is not None and "uncontained" in answer[0]:
-                    raise _uncontained(answer[0]["uncontained"])
                 if answer is not None and "trouble" in answer[0]:
                     raise _unexpected(str(answer[0]["trouble"]))
                 outcomes.append(Outcome(job.path, answer, end.reason, end.errors))
@@ -342,6 +340,8 @@ class _Spawned:
         self._ready = json.loads(self._lines[0])
         if reason := self._ready["no_opengl"]:
             raise NoOpenGLError(reason)
+        if reason := self._ready["uncontained"]:
+            raise _uncontained(reason)
         self._deadline = time.monotonic() + self._seconds + GRACE
 
     def _end(self) -> None:

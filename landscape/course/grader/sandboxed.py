@@ -173,11 +173,13 @@ def main(parent: int, contain: str) -> None:
     answers, errors = os.dup(1), os.dup(2)
     with contextlib.ExitStack() as stack:
         ours = prepare(stack, contain)
-        ready = {"no_opengl": ours.no_opengl, "contained": ours.contained}
+        ready = {
+            "no_opengl": ours.no_opengl,
+            "contained": ours.contained,
+            "uncontained": ours.uncontained,
+        }
         os.write(answers, json.dumps(ready).encode() + b"\n")
-        if ours.uncontained:
-            send(answers, {"uncontained": ours.uncontained})
-        elif not ours.no_opengl:
+        if not (ours.no_opengl or ours.uncontained):
             run_program(job, parent, ours, answers, errors)
 
 
