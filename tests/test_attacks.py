@@ -770,8 +770,13 @@ def forged(**changes: Any) -> stream.Answer:
 def test_lists_that_double_again_and_again_are_no_evidence(tmp_path: Path) -> None:
     lists = [[0, [0, []]]] + [[0, [0, [], {"inside": [n, n]}]] for n in range(60)]
     answer = forged(lists=lists, setup=[0, [0, [], {"inside": [60]}]])
-    with pytest.raises(ValueError, match="more calls"):
-        evidence_file.load(tmp_path, answer, [])
+    tracemalloc.start()
+    try:
+        with pytest.raises(ValueError, match="more calls"):
+            evidence_file.load(tmp_path, answer, [])
+        assert tracemalloc.get_traced_memory()[1] < 300 << 20
+    finally:
+        tracemalloc.stop()
 
 
 def test_calls_that_are_made_again_and_again_are_not_read(tmp_path: Path) -> None:

@@ -42,6 +42,8 @@ from landscape.course.grader.recorded import MOST_SIDE
 from landscape.course.grader.stream import Answer, Blobs
 
 MOST_CALLS = 4_000_000  # chosen: those of display lists counted each time that they are executed
+# Chosen: of them those that are objects of their own, which take some seconds to make.
+MOST_OBJECTS = 500_000
 LONGEST = 30_000  # chosen: numbers of an array that are kept
 Block = list[Any]
 """The calls of a frame, of the setup or of a display list, as they are written."""
@@ -258,7 +260,7 @@ class _Reader:
         self._states: list[Mapping[str, Any]] = [first]
         # Not merged: a forged first state may be large, and the others many.
         self._states += [ChainMap(each, first) for each in others]
-        self._count = 0  # of calls so far
+        self._count = self._objects = 0  # of calls so far
         self._lists = answer["lists"]
         self._pointers = answer["pointers"]
         sites = [
@@ -277,7 +279,8 @@ class _Reader:
         found: list[Item] = []
         for each in rest:
             self._count += each if isinstance(each, int) else 1
-            if self._count > MOST_CALLS:
+            self._objects += 1
+            if self._count > MOST_CALLS or self._objects > MOST_OBJECTS:
                 raise ValueError("more calls than a program is allowed")
             if isinstance(each, int):
                 found.append(self.numbers.some(first, each))
