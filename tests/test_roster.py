@@ -8,6 +8,7 @@ import zipfile
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import jsonschema
@@ -231,6 +232,37 @@ def test_a_class_is_a_row_each_in_every_table(
     assert grade_class(found, rules, due, executor=Here()) == graded
     with pytest.raises(KeyboardInterrupt, match="graded again"):
         grade_class(found, Rules(points=10.0, again=True), due, executor=Here())
+
+
+def test_programs_of_one_exercise_are_graded_together_and_each_worker_gets_some(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    names = ["fog", "winding", "fog", "", "winding", "fog"]
+    texts = [f"# exercise: {name}\n{n}".encode() for n, name in enumerate(names)]
+    tasks: list[list[int]] = []
+
+    def grade(rules: Rules, given: list[bytes]) -> list[tuple[dict[str, Any], bytes]]:
+        tasks.append([texts.index(each) for each in given])
+        return [({"hint": str(texts.index(each))}, b"") for each in given]
+
+    monkeypatch.setattr(grades, "grade", grade)
+    found = [Submission(f"S{n}", data=text) for n, text in enumerate([*texts, texts[1]])]
+    told: list[str] = []
+    graded = grade_class(found, Rules(), done=told.append, executor=Here(), jobs=1)
+    assert tasks == [[0, 2, 5], [1, 4], [3]]
+    assert [each.row.hint for each in graded] == ["0", "1", "2", "3", "4", "5", "1"]
+    assert told == [f"S{n}" for n in range(7)]  # in their order
+
+    # Where there are few, no worker takes all of an exercise; where there are many, a task is
+    # no longer than one waits for the next line of progress.
+    tasks.clear()
+    grade_class(found, Rules(), executor=Here(), jobs=2)
+    assert tasks == [[0, 2], [1, 4], [3], [5]]
+    tasks.clear()
+    texts[:] = [f"# exercise: fog\n{n}".encode() for n in range(100)]
+    found = [Submission(f"S{n}", data=text) for n, text in enumerate(texts)]
+    grade_class(found, Rules(), executor=Here(), jobs=2)
+    assert {len(each) for each in tasks[:-1]} == {grades.TOGETHER}
 
 
 # The attributes of each element of a JUnit report by its schema (Jenkins' junit-10.xsd), and

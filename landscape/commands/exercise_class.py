@@ -172,9 +172,9 @@ def run(options: argparse.Namespace, language: str) -> int:
         private=_private(options),
     )
     with Progress(len(found), options.quiet or options.json) as progress:
-        with work(options) as (workers, _):
-            asked = found, rules, options.due, progress.step
-            graded = grade_class(*asked, workers, options.jobs or 0)
+        with work(options) as (workers, count):
+            jobs = count if workers is not None else options.jobs or 0
+            graded = grade_class(found, rules, options.due, progress.step, workers, jobs)
 
     translate = translator(language, "course")
     alike = likenesses(graded, exercises) if options.copies else None

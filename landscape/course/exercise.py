@@ -136,6 +136,7 @@ class Grader:
         self._seed = secrets.randbits(64) if seed is None else seed
         self._shelf = shelf
         self._gradings: dict[Exercise, tuple[Grading, Grading | None]] = {}
+        self._trials: dict[Exercise, tuple[Trial, int]] = {}
         # The evidence of the solutions by their names: as students know the tests, in trials, and
         # for the tests that students do not see.
         self._solutions: dict[str, Evidence] = {}
@@ -157,8 +158,9 @@ class Grader:
         found = self._shelf.named_in(path)
         if found not in self._gradings:
             self._gradings[found] = gradings(found)
+            self._trials[found] = self._trial(found)
         shown, hidden = self._gradings[found]
-        drawn, take = self._trial(found)
+        drawn, take = self._trials[found]
         last = elsewhere(drawn)
         tests = [*shown.tests, last, *(hidden.tests if hidden is not None else ())]
         path = self._runnable(path, found)
@@ -245,7 +247,9 @@ class Grader:
         went wrong, if anything did.
         """
         program = solution_of(found.folder)
-        model = self._runnable(program, found) if program is not None else None
+        model = None
+        if solution is None and program is not None:
+            model = self._runnable(program, found)
         private = self._private()  # the model's folder, too
         jobs = [Job(str(path), frames, events, calls, self._seconds, private=private, again=calls)]
         if solution is None:

@@ -7,8 +7,8 @@ out. Its French, if it has some, is in fr.po beside it.
 import ast
 from pathlib import Path
 
-from framelens.base.errors import InputError
 from landscape.course.ladder import TAG, Lesson, described, paragraphs
+from landscape.course.not_python import not_python
 from landscape.course.shelf import source
 
 LEFT_OUT = {"topic": "", "needs": "none", "picture": "frame 0", "keys": "none"}
@@ -20,10 +20,5 @@ def own_lesson(file: Path) -> Lesson:
     try:
         docstring = ast.get_docstring(ast.parse(code)) or file.stem
     except (SyntaxError, ValueError) as error:
-        raise InputError(
-            "{path}, line {line}: is not Python ({reason})",
-            path=file,
-            line=getattr(error, "lineno", None) or 1,
-            reason=getattr(error, "msg", None) or str(error),
-        ) from None
+        raise not_python(file, error) from None
     return described(file, code, paragraphs(docstring), LEFT_OUT | dict(TAG.findall(code)))

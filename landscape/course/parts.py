@@ -24,6 +24,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from framelens.base.errors import InputError, short
+from landscape.course.not_python import not_python
 
 REST = re.compile(r"^# the rest: start\.py\s*$", re.MULTILINE)
 WITHOUT = re.compile(r"^# without:[ \t]*(.*)$", re.MULTILINE)
@@ -59,12 +60,7 @@ def assembled(parts: str, start: str, file: Path) -> str:
     try:
         _head, own = _read(parts)
     except (SyntaxError, ValueError) as error:
-        raise InputError(
-            "{path}, line {line}: is not Python ({reason})",
-            path=file,
-            line=getattr(error, "lineno", None) or 1,
-            reason=getattr(error, "msg", None) or str(error),
-        ) from None
+        raise not_python(file, error) from None
     names = [each.name for each in statements]
     gone = [name.strip() for found in WITHOUT.findall(parts) for name in found.split(",")]
     for name in gone:

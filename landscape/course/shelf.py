@@ -20,6 +20,7 @@ from framelens.base.input import read_bounded
 from framelens.base.texts import LANGUAGES, Translator, translator
 from landscape.course import ladder, program_texts
 from landscape.course.grader.grading import _
+from landscape.course.not_python import not_python
 
 FOLDER = Path(__file__).resolve().parent / "exercises"
 # From one line to a page.
@@ -227,13 +228,7 @@ def read(name: str, folder: Path, domain: str | Path) -> Exercise:
     try:
         docstring = ast.get_docstring(ast.parse(code)) or ""
     except (SyntaxError, ValueError) as error:
-        line = getattr(error, "lineno", None) or 1
-        raise InputError(
-            "{path}, line {line}: is not Python ({reason})",
-            path=path,
-            line=line,
-            reason=getattr(error, "msg", None) or str(error),
-        ) from None
+        raise not_python(path, error) from None
 
     title, *task = paragraphs(docstring)
     if not code.startswith('"""') or not title or not task:

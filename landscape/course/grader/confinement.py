@@ -23,6 +23,9 @@ CHOICES = (AUTO, REQUIRE, NONE)
 # What contains them.
 LANDLOCK, PYTHON = "landlock", "python"
 
+# Asked hundreds of times for a program, mostly of folders that all programs have.
+_real = cache(os.path.realpath)
+
 PACKAGE = Path(__file__).resolve().parents[2]
 # Of a folder into which Python is installed: in /usr and /opt others may have things, too.
 PARTS = ("bin", "lib", "lib32", "lib64", "share", "etc", "plugins", "ssl", "pyvenv.cfg")
@@ -40,6 +43,11 @@ def environment() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if KEPT.fullmatch(name)}
 
 
+def prepare() -> None:
+    """Look once, before processes are forked, at what :func:`confine` looks at for each of them."""
+    _readable(os.getcwd(), frozenset())
+
+
 def confine(
     program: Path,
     readable: Iterable[Path],
@@ -52,7 +60,7 @@ def confine(
     ``private``, files or folders. OSError if the system cannot.
     """
     path = os.path.abspath(program)
-    beside = {os.path.dirname(path), os.path.dirname(os.path.realpath(path))}
+    beside = {os.path.dirname(path), os.path.dirname(_real(path))}
     seen, listed = _readable(os.getcwd(), frozenset(beside), *private)
     containment.confine(
         [*seen, str(program), *map(str, readable)], listed, list(map(str, writable))
@@ -66,7 +74,7 @@ def _readable(cwd: str, beside: frozenset[str], *private: str) -> tuple[list[str
     ``beside``: the folders of the program; with what lies around them they are nobody else's
     business, nor is what is ``private``.
     """
-    prefixes = {os.path.realpath(each) for each in (sys.prefix, sys.base_prefix, sys.exec_prefix)}
+    prefixes = {_real(each) for each in (sys.prefix, sys.base_prefix, sys.exec_prefix)}
     python = {os.path.join(prefix, part) for prefix in prefixes for part in PARTS}
     cached = cache_folder()
     ours = str(PACKAGE), *_courses(), *_checkouts(python)
@@ -78,15 +86,17 @@ def _readable(cwd: str, beside: frozenset[str], *private: str) -> tuple[list[str
     )
 
     # Where modules are looked for, names must be seen.
-    entries = [os.path.realpath(each) for each in sys.path if os.path.isdir(each)]
-    needed = {os.path.realpath(each) for each in (*containment.SYSTEM, *python)}
+    entries = [_real(each) for each in sys.path if os.path.isdir(each)]
+    needed = {_real(each) for each in (*containment.SYSTEM, *python)}
     needed.update(each for each in entries if any(_inside(each, part) for part in needed))
-    hidden = set(map(os.path.realpath, named)) - needed | set(map(os.path.realpath, ours))
+    hidden = set(map(_real, named)) - needed | set(map(_real, ours))
 
     readable: set[str] = set()
     listed: set[str] = set()
-    for root in (*containment.SYSTEM, *python, *_paths(python, hidden), *_libraries()):
-        for path, whole in _parts(os.path.realpath(root), hidden):
+    # Of many a library several parts are loaded, each of which names it.
+    roots = {*containment.SYSTEM, *python, *_paths(python, hidden), *_libraries()}
+    for root in set(map(_real, roots)):
+        for path, whole in _parts(root, hidden):
             if whole:
                 readable.add(path)
             elif any(_inside(path, entry) for entry in entries):
@@ -106,8 +116,8 @@ def _courses() -> Iterator[str]:
 def _checkouts(python: Iterable[str]) -> Iterator[str]:
     """Yield the checkouts of this program, which have the solutions in their history, too."""
     for place in (str(PACKAGE), *_courses()):
-        folder = os.path.dirname(os.path.realpath(place))
-        if not any(_inside(folder, os.path.realpath(each)) for each in python) or os.path.exists(
+        folder = os.path.dirname(_real(place))
+        if not any(_inside(folder, _real(each)) for each in python) or os.path.exists(
             os.path.join(folder, "pyproject.toml")
         ):
             yield folder
@@ -119,10 +129,10 @@ def _around(folder: str, python: Iterable[str]) -> str:
     A program may lie in a folder of its student, beside those of the others.
     """
     needed = {
-        *map(os.path.realpath, (*containment.SYSTEM, *python, *sys.path)),
-        os.path.realpath(os.path.expanduser("~")),
+        *map(_real, (*containment.SYSTEM, *python, *sys.path)),
+        _real(os.path.expanduser("~")),
     }
-    found = os.path.realpath(folder)
+    found = _real(folder)
     while (parent := os.path.dirname(found)) != found:
         if any(_inside(each, parent) for each in needed):
             break
@@ -137,11 +147,11 @@ def _paths(python: Iterable[str], hidden: Iterable[str]) -> Iterator[str]:
     """
     checkouts = set(_checkouts(python))
     for entry in filter(os.path.isdir, sys.path):
-        place = os.path.realpath(entry)
+        place = _real(entry)
         if place in checkouts:
             yield os.path.join(entry, "framelens")
             continue
-        of_python = any(_inside(place, os.path.realpath(each)) for each in python)
+        of_python = any(_inside(place, _real(each)) for each in python)
         if of_python or not any(_inside(each, place) for each in hidden):
             yield entry
 

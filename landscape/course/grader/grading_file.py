@@ -15,6 +15,7 @@ from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
 from framelens.program.program_events import read_events
 from landscape.course.grader.grading import Test, tests_of
+from landscape.course.not_python import not_python
 
 PICTURE = "picture"  # the test that every exercise has
 LAST_FRAME = 1000  # chosen: of FRAMES; a program has some seconds to get there
@@ -67,12 +68,7 @@ def names_of(path: Path) -> Mapping[str, object]:
     try:
         return run_path(str(path))
     except SyntaxError as error:
-        raise InputError(
-            "{path}, line {line}: is not Python ({reason})",
-            path=path,
-            line=error.lineno or 1,
-            reason=error.msg,
-        ) from None
+        raise not_python(path, error) from None
     except (Exception, SystemExit) as error:
         lines = [
             entry.lineno for entry in traceback.extract_tb(error.__traceback__) if _is(entry, path)

@@ -7,6 +7,13 @@ from landscape.course.grader.grading import LEVELS, difference, differing
 
 HEAT = np.array([(0.13, 0.16, 0.21), (0.85, 0.35, 0.2), (0.95, 0.62, 0.35), (1.0, 1.0, 1.0)])
 GAP = 8  # pixels, chosen: between the pictures
+# The colours, uint8 (n, 3): of a pixel that counts as different, by how many levels it differs;
+# and of another one, by the sum of the solution's three channels.
+_places, _levels = np.linspace(0, 1, len(HEAT)), np.arange(256) / 255
+_bright = np.stack([np.interp(_levels, _places, HEAT[:, each]) for each in range(3)], axis=1)
+BRIGHT = (_bright * 255).astype(np.uint8)
+_faint = HEAT[0] * 0.6 + np.arange(3 * 255 + 1)[:, None] / 3 / 255 * 0.18
+FAINT = (_faint * 255).astype(np.uint8)
 
 
 def heat_map(work: Evidence, solution: Evidence) -> np.ndarray:
@@ -20,14 +27,12 @@ def heat_map(work: Evidence, solution: Evidence) -> np.ndarray:
     )
     mine, wanted = work.frame(number).picture, solution.frame(number).picture
     if mine.shape == wanted.shape:
-        levels = np.abs(mine.astype(int) - wanted.astype(int)).max(axis=2)
         counted = differing(work.frame(number), solution.frame(number))
-        heat = np.where(counted, np.clip(levels, LEVELS, 255) / 255, 0)
-        place = np.linspace(0, 1, len(HEAT))
-        middle = np.stack([np.interp(heat, place, HEAT[:, each]) for each in range(3)], axis=2)
-        faint = wanted.mean(axis=2, keepdims=True) / 255 * 0.18
-        middle = np.where(counted[:, :, None], middle, middle * 0.6 + faint)
-        parts = [mine, (middle * 255).astype(np.uint8), wanted]
+        red, green, blue = (wanted[..., each].astype(np.int16) for each in range(3))
+        middle = FAINT[red + green + blue]
+        apart = np.abs(mine[counted].astype(int) - wanted[counted].astype(int))
+        middle[counted] = BRIGHT[np.maximum(apart.max(axis=1, initial=0), LEVELS)]
+        parts = [mine, middle, wanted]
     else:
         parts = [mine, np.full_like(mine, 255), wanted]
 

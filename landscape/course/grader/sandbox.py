@@ -31,7 +31,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
 
@@ -40,7 +40,7 @@ from framelens.system import containment, limits
 from landscape.course.grader import confinement
 from landscape.course.grader.budget import MEGABYTES, SECONDS
 from landscape.course.grader.confinement import AUTO, NONE
-from landscape.course.grader.stream import MOST_BYTES, PART, Answer, received
+from landscape.course.grader.stream import MOST_BYTES, PART, Answer, received, widen
 from landscape.course.grader.workplace import Workplace, overfull
 
 GRACE = 1.5  # seconds, chosen: between asking a program to end and ending it
@@ -157,7 +157,7 @@ class Sandbox:
                 hidden = os.path.expanduser("~"), tempfile.gettempdir(), str(place.folder)
                 asked = [
                     {
-                        **asdict(job),
+                        **vars(job),
                         "folder": str(each),
                         "cwd": os.getcwd(),
                         "hidden": [*job.private, *hidden],
@@ -239,6 +239,8 @@ class _Server:
         # Without a name, so that no program can put another file in its place.
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115
         self._process = _start("sandbox_forks", [contain], self._errors, contain)
+        assert self._process.stdout is not None
+        widen(self._process.stdout.fileno())
         self.pid = self._process.pid
 
     def run(self, asked: list[dict[str, Any]]) -> list[End]:

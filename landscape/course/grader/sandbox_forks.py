@@ -34,7 +34,7 @@ from landscape.course.grader.sandbox import (
     errors_in,
 )
 from landscape.course.grader.sandboxed import Prepared, prepare, run_program
-from landscape.course.grader.stream import MOST_BYTES, PART, received
+from landscape.course.grader.stream import MOST_BYTES, PART, received, widen
 from landscape.course.grader.workplace import deleted_bytes, overfull
 
 assert sys.platform == "linux"  # as limits.FORKS says
@@ -135,6 +135,7 @@ class _Running:
     folder: Path
     megabytes: int
     deadline: float
+    glanced: float = field(default_factory=time.monotonic)
     looked: float = field(default_factory=time.monotonic)
     data: bytearray = field(default_factory=bytearray)
     reason: str = ""
@@ -156,13 +157,17 @@ class _Running:
     def takes_too_much(self) -> bool:
         """Look whether the program takes more than it may of what has no limit.
 
-        That are its threads, memory that is shared, and, from time to time, its files together.
+        That are its threads, memory that is shared, and, more rarely, its files together.
         """
+        now = time.monotonic()
+        if now - self.glanced < GLANCE:  # it sends: parts come far more often
+            return False
+        self.glanced = now
         threads, shared = _holds(self.pid)
         if threads > MOST_THREADS or shared > self.megabytes << 20:
             self.reason = MUCH
             return True
-        if time.monotonic() - self.looked < LOOK:
+        if now - self.looked < LOOK:
             return False
         if overfull(self.folder, deleted_bytes(self.pid, self.folder, FILE_BYTES)):
             self.reason = FULL
@@ -207,6 +212,7 @@ def _run(jobs: list[dict[str, object]], ours: Prepared) -> list[_Running]:
 def _begin(job: dict[str, Any], ours: Prepared) -> _Running:
     """Start the process of a job."""
     pipe, answers = os.pipe()
+    widen(pipe)
     # Without a name, so that no program can put another file in its place.
     errors = tempfile.TemporaryFile()  # noqa: SIM115
     us = os.getpid()

@@ -35,6 +35,7 @@ PRELOADED = (
     *("OpenGL.arrays.nones", "OpenGL.arrays.lists", "OpenGL.arrays.strings"),
     "OpenGL.arrays.ctypesarrays",
     *("PIL.Image", "numpy.random", "landscape.course.grader.witness", "framelens.gl.glfw_library"),
+    "framelens.program.program_glfw",
 )
 
 
@@ -101,6 +102,8 @@ def prepare(stack: contextlib.ExitStack, contain: str) -> Prepared:
         state_reading.prepare()  # once for all programs; on Windows it would need a context
     stack.enter_context(prepared(make))
     found.choose()
+    if found.contained == LANDLOCK:
+        confinement.prepare()
     sys.dont_write_bytecode = True
     gc.collect()
     gc.freeze()

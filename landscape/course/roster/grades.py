@@ -2,9 +2,10 @@
 
 import atexit
 import json
+import math
 import pickle
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import dataclass, replace
@@ -30,10 +31,12 @@ from landscape.course.grader.heat_map import heat_map
 from landscape.course.grader.troubles import LONGEST, sentence
 from landscape.course.grader.workplace import Workplace
 from landscape.course.roster.submissions import Submission, late
-from landscape.course.shelf import Shelf
+from landscape.course.shelf import MARKER, Shelf
 from landscape.files.cache import code_below, content, recall
 
 UNSEEN = _("The tests that you see pass, but not all of those that you do not see.")
+TOGETHER = 8  # chosen: programs of one exercise that a worker grades one after the other
+SHARES = 2  # chosen: such groups for each worker, where all programs are of one exercise
 WIDEST = 960  # chosen: pixels of the picture of a page, of three side by side
 
 
@@ -104,26 +107,46 @@ def grade_class(
     """Grade submissions, and call ``done`` with the student of each; in their order.
 
     The workers are ``jobs`` processes of this machine, as many as it has cores by default, or those
-    of an ``executor``. A file that was graded before, by the same tests, is not run again.
-    NoOpenGLError without a usable OpenGL.
+    of an ``executor``, which are as many. A file that was graded before, by the same tests, is not
+    run again. NoOpenGLError without a usable OpenGL.
     """
     texts = list(dict.fromkeys(each.data for each in found if each.data is not None))
     count = jobs or min(cores(), max(len(texts), 1))
+    tasks = _by_exercise(texts, math.ceil(len(texts) / (SHARES * count)))
     graded: list[Graded] = []
     try:
         with (
             lent_or_own(executor, count) as workers,
-            closing(in_order(workers, partial(grade, rules), texts, ahead(count))) as results,
+            closing(in_order(workers, partial(grade, rules), tasks, ahead(count))) as results,
         ):
             known: dict[bytes, tuple[dict[str, object], bytes]] = {}
+            waiting = iter(tasks)
             for each in found:
-                if each.data is not None and each.data not in known:
-                    known[each.data] = next(results)
+                while each.data is not None and each.data not in known:
+                    known.update(zip(next(waiting), next(results), strict=True))
                 graded.append(_given(each, rules, due, known))
                 done(each.student)
     finally:
         _open.close()  # where the executor is one in this process
     return graded
+
+
+def _by_exercise(texts: Iterable[bytes], most: int) -> list[list[bytes]]:
+    """Return programs in groups of one exercise each, in the order of the first of each group.
+
+    Whoever grades a group runs the solution once. A group has at most TOGETHER programs, and at
+    most so many that each worker gets some.
+    """
+    tasks: list[list[bytes]] = []
+    open_ones: dict[frozenset[str], list[bytes]] = {}
+    for text in texts:
+        names = frozenset(MARKER.findall(text.decode(errors="replace")))
+        task = open_ones.get(names)
+        if task is None or len(task) >= min(most, TOGETHER):
+            task = open_ones[names] = []
+            tasks.append(task)
+        task.append(text)
+    return tasks
 
 
 def _given(
@@ -148,8 +171,12 @@ def _given(
     return Graded(replace(row, **values), each, picture)
 
 
-def grade(rules: Rules, data: bytes) -> tuple[dict[str, object], bytes]:
-    """Return the values of a program's row, and its picture: a task for any executor."""
+def grade(rules: Rules, texts: Sequence[bytes]) -> list[tuple[dict[str, object], bytes]]:
+    """Return the values of each program's row, and its picture: a task for any executor."""
+    return [_graded(rules, each) for each in texts]
+
+
+def _graded(rules: Rules, data: bytes) -> tuple[dict[str, object], bytes]:
     shelf = Shelf(rules.exercises)
     # A program is given the same wherever the class lies.
     key = pickle.dumps((replace(rules, again=False, private=()), _code(shelf, rules.language)))
