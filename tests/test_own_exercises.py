@@ -27,6 +27,7 @@ from landscape.course.roster.grades import Rules, grade_class
 from landscape.course.roster.page import as_page
 from landscape.course.roster.submissions import submissions
 from landscape.course.shelf import NAMES, Shelf, start
+from landscape.course.solutions import whole
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 NAME = "hand"
@@ -165,6 +166,10 @@ FAULTS = {
         changed("grading.py", '"key": "RIGHT"', '"key": "RIHGT"'),
         "grading.py: EVENTS: events: event 1",
     ),
+    "elsewhere": (
+        changed("grading.py", "NEAR = 0.02", "NEAR = 0.02\nELSEWHERE = 2"),
+        "grading.py: ELSEWHERE: expected a fraction of the pixels",
+    ),
     "needs": (
         changed("grading.py", "stacks = balanced(picture)", "del drawn"),
         "grading.py: placed: needs drawn, which must stand before it",
@@ -287,7 +292,9 @@ def test_students_check_what_they_get_and_get_no_solution(shelf: Shelf, tmp_path
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_bytes(data)
     with Grader(PATIENCE, shelf=Shelf(tmp_path / "exercises")) as grader:
-        assert grader.check(shelf.own[NAME] / "solution2.py").passed
+        mine = tmp_path / "mine.py"
+        mine.write_text(whole(shelf.own[NAME] / "solution2.py", shelf.own[NAME]), encoding="utf-8")
+        assert grader.check(mine).passed
         assert not grader.check(tmp_path / f"{NAME}.py").passed
     programs = handout.for_students([found], shelf, "en", checks=False)
     assert sorted(programs) == ["README.txt", f"{NAME}.py"]

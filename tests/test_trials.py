@@ -11,6 +11,8 @@ from landscape.commands.exercise_check import as_text
 from landscape.course.exercise import Grader, Report
 from landscape.course.grader.grading import UNFOLLOWED, Hint
 from landscape.course.grader.trial import HIGH, LAST, trial
+from landscape.course.shelf import exercise
+from landscape.course.solutions import ways, whole
 
 PATIENCE = 100.0  # seconds a program may take here: the machine may be busy with other tests
 END = "        glfw.swap_buffers(window)\n"
@@ -118,6 +120,15 @@ def test_another_way_to_a_right_picture_passes(way: str, grader: Grader, tmp_pat
     assert [result.test.key for result in report.results if result.otherwise] == tests
     text = "\n".join(as_text(report, lambda text, context="": text))
     assert text.count("in another way") == len(tests)
+
+
+@pytest.mark.seldom(3)
+def test_rounding_that_grows_with_each_key_is_allowed_for(tmp_path: Path) -> None:
+    path = tmp_path / "mine.py"
+    folder = exercise("bezier_path").folder
+    path.write_text(whole(ways(folder)[2], folder), encoding="utf-8")
+    with Grader(PATIENCE, seed=3) as grader:  # whose trial differs by 0.18 % of the pixels
+        assert grader.check(path).passed
 
 
 def test_state_that_is_set_in_a_display_list_is_not_told_of(grader: Grader, tmp_path: Path) -> None:

@@ -161,7 +161,7 @@ class Grader:
             self._trials[found] = self._trial(found)
         shown, hidden = self._gradings[found]
         drawn, take = self._trials[found]
-        last = elsewhere(drawn)
+        last = elsewhere(drawn, shown.elsewhere)
         tests = [*shown.tests, last, *(hidden.tests if hidden is not None else ())]
         path = self._runnable(path, found)
         error = _syntax(path)

@@ -2,6 +2,7 @@
 
     FRAMES = (0, 30)                          # the frames that are looked at
     EVENTS = [{"frame": 1, "key": "SPACE"}]   # optional: see framelens/program/program_events.py
+    ELSEWHERE = 0.004   # optional: the fraction of the pixels that may differ in a trial (trial.py)
 
     @test(_("The fog is on"), _("Without glEnable the other calls for fog have no effect."))
     def fog_on(work, solution):

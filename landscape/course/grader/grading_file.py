@@ -14,9 +14,10 @@ from typing import Any
 from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
 from framelens.program.program_events import read_events
-from landscape.course.grader.grading import Test, tests_of
+from landscape.course.grader.grading import MOST, Test, tests_of
 from landscape.course.not_python import not_python
 
+MOST_ELSEWHERE = 0.05  # chosen: more hides a part of the picture
 PICTURE = "picture"  # the test that every exercise has
 LAST_FRAME = 1000  # chosen: of FRAMES; a program has some seconds to get there
 MOST_BYTES = 1 << 20  # chosen: of a file
@@ -24,11 +25,15 @@ MOST_BYTES = 1 << 20  # chosen: of a file
 
 @dataclass(frozen=True)
 class Grading:
-    """The contents of a grading file: the ``frames`` that are checked, ``events`` and ``tests``."""
+    """The contents of a grading file: the ``frames`` that are checked, ``events`` and ``tests``.
+
+    ``elsewhere``: the fraction of the pixels that may differ in a trial (trial.py).
+    """
 
     frames: Sequence[int]
     events: Sequence[dict[str, object]]
     tests: Sequence[Test]
+    elsewhere: float = MOST
 
 
 def read_grading(path: Path, hidden: bool = False) -> Grading:
@@ -58,7 +63,7 @@ def read_grading(path: Path, hidden: bool = False) -> Grading:
             path=path,
             name=PICTURE,
         )
-    return Grading(_frames(path, names), _events(path, names), tests)
+    return Grading(_frames(path, names), _events(path, names), tests, _elsewhere(path, names))
 
 
 def names_of(path: Path) -> Mapping[str, object]:
@@ -111,3 +116,14 @@ def _events(path: Path, names: Mapping[str, object]) -> Sequence[dict[str, objec
     except InputError as error:
         raise InputError("{path}: EVENTS: {error}", path=path, error=error) from None
     return found
+
+
+def _elsewhere(path: Path, names: Mapping[str, Any]) -> float:
+    found = names.get("ELSEWHERE", MOST)
+    if type(found) not in (int, float) or not 0 <= found <= MOST_ELSEWHERE:
+        raise InputError(
+            "{path}: ELSEWHERE: expected a fraction of the pixels from 0 to {most}, such as 0.004",
+            path=path,
+            most=MOST_ELSEWHERE,
+        )
+    return float(found)

@@ -71,8 +71,11 @@ def trial(code: str, chance: random.Random) -> Trial:
     return Trial(sorted(presses), events, presses)
 
 
-def elsewhere(trial: Trial) -> Test:
-    """Return the test of a trial, whose evidence is only pictures."""
+def elsewhere(trial: Trial, most: float = MOST) -> Test:
+    """Return the test of a trial, whose evidence is only pictures.
+
+    ``most``: the fraction of the pixels that may differ.
+    """
 
     @test(
         _("The picture is right elsewhere, too"),
@@ -83,7 +86,7 @@ def elsewhere(trial: Trial) -> Test:
         for number in trial.frames:
             mine, wanted = work.frame(number), solution.frame(number)
             share = float(differing(mine, wanted).mean())
-            if share > MOST:
+            if share > most:
                 height, width = wanted.picture.shape[:2]
                 presses = trial.presses[number]
                 keys = ", ".join(f"{key} {count}" for key, count in presses.items() if count)

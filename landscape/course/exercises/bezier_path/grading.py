@@ -12,6 +12,9 @@ EVENTS = [
     for key in keys
     for action in ("press", "release")
 ]
+# Where keys have pulled the path long, its points lie pixels apart: one may take the nearest, or
+# the first that is far enough.
+ELSEWHERE = 0.004
 MOVED = {0: (70, 250), 1: (150, 250), 2: (30, 190)}
 COUNT, STEPS = 12, 400
 NEAR = 1.5  # chosen: pixels by which a point may be elsewhere
