@@ -300,6 +300,12 @@ def test_a_long_caption_is_cut_and_a_short_one_is_larger() -> None:
     assert not bright[1][[0, -1]].any(), "no line is cut in its height"
 
 
+def test_a_title_without_a_caption_has_the_whole_width() -> None:
+    image = caption_image((1280, 80), 720, "1/2", "What scales about what?", "")
+    rows = (image[:-4, :1100, :3].min(axis=2) > 100).any(axis=1)
+    assert np.count_nonzero(np.diff(rows.astype(int))) == 2, "one line"
+
+
 def test_a_caption_keeps_the_band_low_where_its_title_is_long() -> None:
     title = "Listes d’affichage : une fleur compilée une fois, dessinée des centaines de fois"
     size = (1024, 768)

@@ -104,6 +104,8 @@ def test_a_new_exercise_holds_as_it_is(shelf: Shelf, grader: Grader) -> None:
     found = shelf.exercise(NAME)
     findings = list(Rehearsal(found, grader, plain).all())
     assert [(str(each.tried), str(each.wrong)) for each in findings if each.wrong] == []
+    tried = [str(each.tried) for each in findings]
+    assert "start.py runs and does not pass: it gets 0 of 8 points" in tried
     assert len(findings) == count(found) == 2 + 2 + len(mutants(found)) + 1
 
 

@@ -22,7 +22,7 @@ from framelens.base.texts import translator
 from landscape.commands.exercise_class import _page_name
 from landscape.course.roster import grades, moodle, tables
 from landscape.course.roster.grades import Graded, Row, Rules, grade_class
-from landscape.course.roster.page import told
+from landscape.course.roster.page import as_page, told
 from landscape.course.roster.submissions import MOST_BYTES, Submission, submissions
 
 FOLDER = "{}_{}_assignsubmission_file"
@@ -369,6 +369,8 @@ def test_each_program_of_a_student_has_a_page_of_its_own() -> None:
     pages = [_page_name(Graded(Row("Bo", "1", f"{folder}/{name}"), bo)) for name in names]
     assert pages == ["one.html", "a_x.html", "b_x.html", "work_zip_x.html"]
     assert _page_name(Graded(Row("Bo", "1", ""), bo)) == "_.html"
+    page = as_page([Graded(Row("Bo", "1", f"{folder}/a/x.py"), bo)], "en", str).decode()
+    assert "<td>Bo</td><td>a/x.py</td>" in page
 
 
 def test_a_worksheet_changes_in_two_columns_and_nowhere_else() -> None:

@@ -22,7 +22,7 @@ from landscape.course.grader.grading import _
 from landscape.course.roster import moodle, tables
 from landscape.course.roster.copies_page import Likeness, as_json, as_lines, as_section, likenesses
 from landscape.course.roster.grades import Graded, Rules, grade_class
-from landscape.course.roster.page import as_page, told
+from landscape.course.roster.page import as_page, inside, told
 from landscape.course.roster.submissions import submissions
 
 KINDS = ".csv", ".json", ".xml", ".html"
@@ -286,8 +286,7 @@ def _marks(graded: Sequence[Graded], _: Translator) -> dict[str, moodle.Mark]:
 
 def _page_name(each: Graded) -> str:
     """Return the name of a feedback page: the program's, with its folders."""
-    inside = each.row.file.removeprefix(f"{each.submission.folder}/")
-    return f"{_file_name(inside.removesuffix('.py'))}.html"
+    return f"{_file_name(inside(each).removesuffix('.py'))}.html"
 
 
 def _file_name(student: str) -> str:

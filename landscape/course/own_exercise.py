@@ -35,7 +35,7 @@ README: Phrases = (
     "everywhere.",
     "What a test can look at: `python -m pydoc landscape.course.grader.evidence`; how it is "
     "written: `python -m pydoc landscape.course.grader.grading`.",
-    "In this folder's own folder:",
+    "In the folder around this one:",
     "does the exercise hold?",
     "what students get, and what you keep",
     "what they handed in",

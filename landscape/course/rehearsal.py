@@ -96,7 +96,15 @@ class Rehearsal:
                     tests=", ".join(result.test.key for result in found),
                 ),
             )
-        return Finding(tried)
+        # What a test gives for nothing, a hidden one for instance, is not seen otherwise.
+        given = sum(each.test.points for each in report.results if each.passed)
+        return Finding(
+            Message(
+                "start.py runs and does not pass: it gets {given} of {all} points",
+                given=f"{given:g}",
+                all=f"{sum(test.points for test in report.tests):g}",
+            )
+        )
 
     def count(self, mistakes: Mapping[str, Mutant]) -> Finding:
         """Look how many mistakes there are."""

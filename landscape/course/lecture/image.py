@@ -117,7 +117,7 @@ def _caption(size: tuple[int, int], pixels: int, title: str, text: str, part: fl
     """Return the columns; a title beside its caption has this part of the width."""
     bold, face = font(pixels, True), font(pixels)
     edge = pixels
-    if not _beside(size):
+    if not text or not _beside(size):
         inner = size[0] - 2 * edge
         titles = wrapped(title, bold, inner)
         lines = wrapped(text, face, inner) if text else []

@@ -28,6 +28,7 @@ STYLE = """
 body { font: 16px/1.45 sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em; }
 table { border-collapse: collapse; width: 100%; }
 th, td { border-bottom: 1px solid #ccc; padding: .3em .6em; text-align: left; vertical-align: top; }
+td:nth-child(-n+2) { min-width: 9em; overflow-wrap: anywhere; }
 td.points { white-space: nowrap; }
 img { display: block; max-width: 100%; }
 figure { margin: .4em 0 0; width: fit-content; }
@@ -94,13 +95,18 @@ def _line_of(graded: Graded, _: Translator, hidden: bool) -> str:
     points = f"{row.points:g} / {row.of:g}" if row.of else "-"
     cells = (
         f"<td>{student}</td>",
-        f"<td>{html.escape(printable(row.file))}</td>",
+        f"<td>{html.escape(printable(inside(graded)))}</td>",
         f"<td>{html.escape(row.exercise)}</td>",
         f'<td class="points">{points}</td>',
         f"<td>{hint}</td>",
     )
     kind = "passed" if row.passed else "failed"
     return f'<tr class="{kind}">{"".join(cells)}</tr>'
+
+
+def inside(graded: Graded) -> str:
+    """Return a program's name below its student's folder, whose name says only who that is."""
+    return graded.row.file.removeprefix(f"{graded.submission.folder}/")
 
 
 def told(row: Row, _: Translator) -> str:
