@@ -8,7 +8,7 @@ SEA_OF_BEST: dict[str, Value] = {
     "water.fresnel": True,
     "reflection.rippled": True,
     "ground.resolution": 160,
-    "water.color": (0.16, 0.32, 0.38, 0.88),
+    "water.color": (0.16, 0.32, 0.38, 0.93),
     "fog.density": 0.05,
 }
 

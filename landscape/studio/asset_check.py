@@ -78,6 +78,7 @@ SIZES = {
     "castle_ashlar.png": (512, 512, "RGB"),
     "castle_slate.png": (256, 256, "RGB"),
     "castle_leaves.png": (256, 256, "RGBA"),
+    "castle_ivy.png": (512, 256, "RGBA"),
     "castle_door.png": (1024, 1024, "RGBA"),
     "castle_light.png": (256, 256, "RGB"),
     "torch_stone.png": (256, 256, "RGB"),

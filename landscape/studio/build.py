@@ -33,6 +33,7 @@ MODULES = (
     "hall.mosaic",
     "castle.masonry",
     "castle.ashlar",
+    "castle.ivy",
     "castle.gate",
     "plants.trees",
     "plants.individuals",

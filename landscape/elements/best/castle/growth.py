@@ -1,13 +1,15 @@
 """Ivy on the weathered castle's walls, and weeds at their foot and on ledges. No OpenGL here.
 
 Each is a quad with one of four pictures (studio/castle/ashlar.py): the leaves' outline comes from
-an alpha test. Places are in the castle's own frame. All sizes are chosen.
+an alpha test. Single leaves lie before the ivy's pictures where it is seen from nearby (ivy.py).
+Places are in the castle's own frame. All sizes are chosen.
 """
 
 import math
 
 import numpy as np
 
+from landscape.elements.best.castle.baked_light import noise
 from landscape.elements.best.castle.footing import Ground, outside_of_walls
 from landscape.elements.best.castle.ornate_masonry import BAND, PLINTH
 from landscape.geometry.masonry import TOWER_RADIUS
@@ -18,6 +20,7 @@ from landscape.geometry.mesh import Mesh
 IVIES = (((1.0, 0.0), -1.9, 0.20, 0.74), ((1.0, 1.0), 1.1, 0.17, 0.62))
 STEMS, STEP = 12, 0.034
 WEEDS, ON_LEDGES = 75, 34
+FRINGE, NEAR_FOOT = 520, 0.011  # tufts of short grass along the foot, and how far from it
 
 
 def stems(width: float, height: float, rng: np.random.Generator) -> np.ndarray:
@@ -100,6 +103,7 @@ def leaves(ground: Ground) -> tuple[Mesh, np.ndarray]:
         add_ivy(quads, ground, tower, angle, width, height, rng)
 
     add_weeds(quads, ground, rng)
+    add_fringe(quads, ground)
     return quads.mesh()
 
 
@@ -153,4 +157,25 @@ def add_weeds(quads: Quads, ground: Ground, rng: np.random.Generator) -> None:
             right = size * np.array([math.cos(turn), 0.0, math.sin(turn)])
             up = np.array([0.0, size, 0.0])
             middle = np.array([x, y + 0.92 * size, z])
+            quads.add(middle, right, up, np.array([0.0, 1.0, 0.0]), 1, tint)
+
+
+def add_fringe(quads: Quads, ground: Ground) -> None:
+    """Add tufts of short grass where walls meet the ground, dense in places and bare in others."""
+    rng = np.random.default_rng([2006, 32])
+    places = outside_of_walls(FRINGE, NEAR_FOOT, rng)
+    heights = ground(places)
+    spots = np.stack([places[:, 0], np.zeros(len(places)), places[:, 1]], axis=1)
+    rich = noise(spots, (11.0, 1.0, 11.0), 33)
+    for (x, z), y, good in zip(places, heights, rich, strict=True):
+        if good < rng.uniform(0.25, 0.6):
+            continue
+        size = (0.0035 + 0.0085 * rng.random() ** 1.6) * (0.6 + 0.8 * good)
+        first = rng.uniform(0.0, math.pi)
+        dry = rng.uniform(0.0, 0.25)
+        tint = rng.normal(0.80, 0.12) * np.array([1.0 + 0.5 * dry, 1.0, 0.85 - dry])
+        for turn in (first, first + math.pi / 2):
+            right = 1.3 * size * np.array([math.cos(turn), 0.0, math.sin(turn)])
+            up = np.array([0.0, size, 0.0])
+            middle = np.array([x, float(y) + 0.90 * size, z])
             quads.add(middle, right, up, np.array([0.0, 1.0, 0.0]), 1, tint)

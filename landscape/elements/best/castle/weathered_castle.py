@@ -27,6 +27,7 @@ from landscape.elements.best.castle.blocks import (
 from landscape.elements.best.castle.footing import ground_marks, rubble
 from landscape.elements.best.castle.grain import grain, grained
 from landscape.elements.best.castle.growth import leaves
+from landscape.elements.best.castle.ivy import PER_LEAF, shade_on_wall, single_leaves
 from landscape.elements.best.castle.loopholes import loopholes, openings
 from landscape.elements.best.castle.ornate_castle import OrnateCastle
 from landscape.elements.best.castle.slates import slate_roofs
@@ -42,9 +43,11 @@ from landscape.geometry.mesh import Mesh
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 
-CLOSE = 2.0  # chosen: units from its middle within which the stones' grain is seen
+# Chosen: units from its middle within which the stones' grain and single leaves are seen.
+CLOSE = 2.0
 NEAR, MIDDLE = 5.5, 9.0  # chosen: units from the castle within which stones, and leaves, are seen
 SOLID = 0.35  # chosen: alpha from which a texel of a leaf is drawn
+BEHIND = 0.55  # chosen: light that single leaves leave on the pictures of leaves behind them
 # Chosen: windows that are lit, by their number; their colour by day, and what dusk adds to it.
 LIT = (24, 27, 29, 31, 34, 36, 38)
 DIM, BRIGHT = np.array([0.26, 0.16, 0.07]), np.array([0.74, 0.56, 0.26])
@@ -92,7 +95,11 @@ class WeatheredCastle(OrnateCastle):
         bare = replace(self._bricks, coordinates=self._bricks.coordinates[:1])
         self._grain_list = DisplayList(lambda: draw_mesh(bare))
         self._stones_list = DisplayList(self._send_stones)
-        self._leaves_list = DisplayList(self._send_leaves)
+        self._ivy = Texture(read_image(assets.path("castle_ivy.png")), repeat=False)
+        growth, tints = leaves(self._ground_at)
+        self._leaves_list = DisplayList(lambda: self._send_leaves(growth, tints))
+        self._ivy_list = DisplayList(lambda: self._send_ivy(growth, tints))
+        self._shade_list = DisplayList(lambda: self._send_shade(growth))
         self._marks_list = DisplayList(self._send_marks)
 
     def _light_on(self, mesh: Mesh, strips: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
@@ -101,16 +108,22 @@ class WeatheredCastle(OrnateCastle):
 
     def _lit(self, name: str, mesh: Mesh, tints: np.ndarray, worn: bool = True) -> Mesh:
         """Return a mesh coloured by the light on it times tints (n, 3)."""
+        return coloured(mesh, self._light_at(name, mesh.vertices, mesh.normals, worn) * tints)
+
+    def _light_at(
+        self, name: str, vertices: np.ndarray, normals: np.ndarray, worn: bool
+    ) -> np.ndarray:
+        """Return the light (n, 3) on vertices (n, 3), LEAST or more, or that in the cache."""
         castle, sun = self.settings.castle, self.settings.sun
         light = worn_light if worn else arriving
 
         def make() -> tuple[np.ndarray]:
-            places, normals = mesh.vertices.astype(float), mesh.normals.astype(float)
-            return (light(places, normals, sun, castle.yaw, castle.torches),)
+            places, facing = vertices.astype(float), normals.astype(float)
+            return (light(places, facing, sun, castle.yaw, castle.torches),)
 
         made_from = repr((castle.yaw, castle.torches, sun))
-        (found,) = recall([name, made_from, mesh.vertices.tobytes()], make)
-        return coloured(mesh, np.maximum(found, LEAST) * tints)
+        (found,) = recall([name, made_from, vertices.tobytes()], make)
+        return np.maximum(found, LEAST)
 
     def _send_roofs(self) -> None:
         self._slates.bind()
@@ -144,12 +157,30 @@ class WeatheredCastle(OrnateCastle):
         gl.glShadeModel(gl.GL_FLAT)  # broken stones have facets
         draw_mesh(self._lit("rubble", fallen, tints, worn=False))
 
-    def _send_leaves(self) -> None:
-        mesh, tints = leaves(self._ground_at)
+    def _send_leaves(self, growth: Mesh, tints: np.ndarray) -> None:
         self._leaves.bind()
         gl.glEnable(gl.GL_ALPHA_TEST)
         gl.glAlphaFunc(gl.GL_GREATER, SOLID)
-        draw_mesh(self._lit("leaves", mesh, tints, worn=False))
+        draw_mesh(self._lit("leaves", growth, tints, worn=False))
+
+    def _send_ivy(self, growth: Mesh, tints: np.ndarray) -> None:
+        """Send the leaves as for an arm's length: single ones before the ivy's pictures."""
+        darker = tints.copy()
+        darker[growth.coordinates[0][:, 1] < 0.5] *= BEHIND
+        self._send_leaves(growth, darker)
+        self._ivy.bind()
+        mesh, own = single_leaves(growth, self._ground_at)
+        # A leaf is small: the light at its foot is that on all of it.
+        foot = slice(1, None, PER_LEAF)
+        light = self._light_at("single leaves", mesh.vertices[foot], mesh.normals[foot], worn=False)
+        draw_mesh(coloured(mesh, np.repeat(light, PER_LEAF, axis=0) * own))
+
+    @staticmethod
+    def _send_shade(growth: Mesh) -> None:
+        """Send the shade on the wall behind the ivy."""
+        vertices, colours, triangles = shade_on_wall(growth)
+        with client_arrays(vertices, None, colours):
+            gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
     def _send_marks(self) -> None:
         """Send what darkens the ground, in the light that reaches it."""
@@ -178,6 +209,8 @@ class WeatheredCastle(OrnateCastle):
             gl.glEnable(gl.GL_POLYGON_OFFSET_FILL)
             gl.glPolygonOffset(-2.0, -4.0)
             self._marks_list.call()
+            if away < CLOSE:
+                self._shade_list.call()
 
         with attrib(groups):
             gl.glDisable(gl.GL_BLEND)
@@ -187,12 +220,13 @@ class WeatheredCastle(OrnateCastle):
                 gl.glEnable(gl.GL_CULL_FACE)
                 self._stones_list.call()
                 gl.glDisable(gl.GL_CULL_FACE)
-            self._leaves_list.call()
+            (self._ivy_list if away < CLOSE else self._leaves_list).call()
 
     def release(self) -> None:
         """Delete the lists and the textures; may be called twice."""
-        for compiled in (self._stones_list, self._leaves_list, self._marks_list, self._grain_list):
+        grown = self._leaves_list, self._ivy_list, self._shade_list
+        for compiled in (self._stones_list, *grown, self._marks_list, self._grain_list):
             compiled.release()
-        for texture in (self._slates, self._leaves, self._grain):
+        for texture in (self._slates, self._leaves, self._ivy, self._grain):
             texture.release()
         super().release()

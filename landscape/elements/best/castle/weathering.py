@@ -26,6 +26,7 @@ from landscape.geometry.mesh import Mesh
 
 SIDE = 1024  # texels per side of the texture
 RUN = 0.15  # units below a ledge within which its streaks fade to a third
+LOW = 0.3  # share of a ledge's streaks that the plinth has below its edge
 MOSS = np.array([0.66, 0.74, 0.50])  # what moss and algae leave of the stone's colour
 OCHRE, LEAD = np.array([1.05, 1.0, 0.92]), np.array([0.93, 0.955, 0.98])
 SUNNY, SHADY = np.array([1.08, 1.02, 0.95]), np.array([0.99, 1.01, 1.05])
@@ -44,7 +45,7 @@ def stains(places: np.ndarray, normals: np.ndarray) -> np.ndarray:
     # Damp rises unevenly from the ground; ledges keep water, too.
     damp = np.exp(-np.maximum(y - 0.02, 0.0) / (0.015 + 0.17 * low * low))
     ledge = np.maximum(normals[:, 1], 0.0) * (0.15 + 0.85 * middle) * (y > 0.02)
-    green = np.clip(np.maximum(0.95 * damp * (0.35 + 0.9 * middle), 0.6 * ledge), 0.0, 1.0)
+    green = np.clip(np.maximum(0.72 * damp * (0.35 + 0.9 * middle), 0.6 * ledge), 0.0, 1.0)
     return np.asarray(colour * (1.0 - green[:, None] * (1.0 - MOSS)))
 
 
@@ -58,7 +59,9 @@ def streaks(places: np.ndarray, normals: np.ndarray) -> np.ndarray:
     for ledge in (1.0, BAND[0], PLINTH[1], TOWER_TOP - 0.16, TOWER_TOP, KEEP[4] - 0.10):
         below = ledge - y
         reach = RUN * (0.45 + 1.3 * wide)
-        wet = np.maximum(wet, np.where(below > -0.003, np.exp(-np.abs(below) / reach), 0.0))
+        run = np.where(below > -0.003, np.exp(-np.abs(below) / reach), 0.0)
+        # All of the plinth is near its edge: as wet as below other ledges it would be a dark band.
+        wet = np.maximum(wet, run * (LOW if ledge == PLINTH[1] else 1.0))
 
     dark = 0.42 * thread * (0.10 + 0.90 * wet) + 0.10 * wet * wet
 

@@ -69,10 +69,13 @@ def sampled(values: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     return np.asarray(upper * (1 - v) + lower * v)
 
 
-def slope_picture(tile: np.ndarray) -> np.ndarray:
-    """Return slopes (n, n, 2) as a texture, uint8 (n, n, 3): red and green, and blue is 1."""
+def slope_picture(tile: np.ndarray, held: float = RANGE) -> np.ndarray:
+    """Return slopes (n, n, 2) as a texture, uint8 (n, n, 3): red and green, and blue is 1.
+
+    ``held`` is the slope at the ends of a texel's range; what is steeper is clipped.
+    """
     picture = np.full((*tile.shape[:2], 3), 255, np.uint8)
-    picture[..., :2] = np.rint(np.clip(0.5 + tile / (2 * RANGE), 0.0, 1.0) * 255)
+    picture[..., :2] = np.rint(np.clip(0.5 + tile / (2 * held), 0.0, 1.0) * 255)
     return picture
 
 

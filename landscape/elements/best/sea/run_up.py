@@ -47,9 +47,10 @@ RISING = 0.3  # chosen: fraction of its time that a wave rises
 ACROSS, STEPS = 256, 1024  # texels of the diagram, across the beach and in time
 DRYING = 1.1  # chosen: waves until the sand is as dry as before
 SHINING = 0.45  # chosen: waves until its shine is 1/e
-DARKEST = 0.74  # chosen: factor on wet sand, in addition to the band that is always damp
+DARKEST = 0.66  # chosen: factor on wet sand, in addition to the band that is always damp
 SHINE = 0.85  # chosen: alpha of the mirror image at a grazing angle
 LACE_REPEAT = 5.3  # chosen: tiles of lace per unit
+SOFT = 0.035  # chosen: reaches over which sand at the edge of the wet grows dry
 WEED = (0.17, 0.13, 0.09)  # chosen: RGB of dry weed
 WEED_AT = 1.16  # chosen: reaches above the shoreline, where no wave's foam comes
 
@@ -78,7 +79,7 @@ def foam_at(place: np.ndarray, time: float, height: float) -> np.ndarray:
     drained = (time - RISING) / (1.0 - RISING)
     film = 0.34 * (1.0 - drained) ** 0.6
     left = 0.31 * (1.0 - drained) ** 1.3 * np.exp(-np.maximum(height - place, 0.0) / 0.5)
-    mark = 0.15 * (1.0 - drained) * np.exp(-np.square((height - 0.05 - place) / 0.05))
+    mark = 0.15 * (1.0 - drained) ** 0.5 * np.exp(-np.square((height - 0.05 - place) / 0.05))
     foam = np.where(place < edge, film, left) + mark
     return np.asarray(np.where(place < height, foam, 0.0))
 
@@ -107,9 +108,19 @@ def diagram() -> Diagram:
             gloss = np.where(under, 1.0, gloss * np.exp(-step / SHINING))
             if turn:
                 foam[k], wet[k], shine[k] = foam_at(place, time, height), now, gloss
+    wet, shine = softer(wet), softer(shine)
     # Farther out the sea has its own foam; at both ends nothing is left.
     inside = np.clip((place - FIRST - 0.05) / 0.5, 0.0, 1.0)
     return Diagram(foam * inside, wet * inside, shine * inside)
+
+
+def softer(rows: np.ndarray) -> np.ndarray:
+    """Return a part of the diagram without hard edges across the beach: sand soaks water up."""
+    near = np.arange(-12, 13)
+    kernel = np.exp(-0.5 * np.square(near * (LAST - FIRST) / ACROSS / SOFT))
+    padded = np.pad(rows, ((0, 0), (12, 12)), mode="edge")
+    kernel /= kernel.sum()
+    return np.asarray(sum(w * padded[:, k : k + ACROSS] for k, w in enumerate(kernel)))
 
 
 def reaches(slope: np.ndarray, x: np.ndarray, z: np.ndarray) -> np.ndarray:
