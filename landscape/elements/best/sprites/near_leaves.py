@@ -23,16 +23,16 @@ from landscape.elements.best.sprites.individuals import OAK, OAK_LEANING, OAK_TA
 from landscape.frame import Frame
 
 LEAFY = (OAK, OAK_LEANING, OAK_TALL, OAK_YOUNG)  # pictures that get sprays
-TREES, SPRAYS = 3, 3600  # chosen: the nearest trees, and the sprays of each
-REACH, WHOLE = 1.5, 0.9  # chosen: units away at which the first sprays stand, and all of them
+TREES, SPRAYS = 3, 2800  # chosen: the nearest trees, and the sprays of each
+REACH, WHOLE = 0.55, 0.25  # chosen: units away at which the first sprays stand, and all of them
 SIDE = 0.029  # chosen: side of a spray of mean size, times the tree's width
 DEEP = 0.05  # chosen: how far sprays stand before and behind the picture, times the tree's width
 BESIDE = 5  # chosen: texels around a bough that sprays leave free
 CELL = 128  # texels per side of a spray's picture; there are two times two
 LEAVES = 11  # chosen: leaves of a spray
 SHOWN = 0.45  # chosen: alpha from which a texel is drawn
-BRIGHTER = 1.30  # as the leaves' picture is not white
-THROUGH = np.array([40.0, 44.0, 2.0])  # chosen: light that leaves let through, of 255
+BRIGHTER = 1.14  # as the leaves' picture is not white
+THROUGH = np.array([34.0, 38.0, 2.0])  # chosen: light that leaves let through, of 255
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def sprays_of(picture: np.ndarray, seed: int) -> Sprays:
         colours,
         np.clip(rng.normal(-0.2, 0.5, count), -1.0, 1.0),
         np.stack([across * size, along * size], axis=1),
-        rng.random(count) ** 2,
+        rng.random(count) ** 3,
         rng.integers(4, size=count),
     )
 
