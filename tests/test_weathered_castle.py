@@ -351,7 +351,7 @@ def test_details_are_left_out_from_afar_and_in_the_mirror(stage: Stage, plain: A
         counts.append(sum(call.name == "glCallList" for call in recorder.calls))
     castle.release()
     close, near, middle, far, in_mirror = counts
-    assert close == near + 1 == middle + 2 == far + 4 and in_mirror == far
+    assert close == near + 2 == middle + 3 == far + 5 and in_mirror == far
 
 
 def test_a_few_windows_are_lit_brighter_at_dusk_and_no_loophole() -> None:
