@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from landscape.elements.best.animals.scales import nearest_points, scales
+from landscape.elements.best.animals.scales import brightest, nearest_points, scaled_skin, scales
+from landscape.geometry.mesh import Mesh
 
 
 def test_a_tile_continues_at_its_opposite_edges() -> None:
@@ -17,3 +18,19 @@ def test_a_furrow_is_darker_than_the_middle_of_a_scale() -> None:
     tile = scales(128, 8)[..., 0].astype(float)
     assert len(np.unique(number)) == 64
     assert tile[second - first < 0.05].mean() < 0.8 * tile[first < 0.15].mean()
+
+
+def test_only_skin_that_is_bluer_than_red_has_scales() -> None:
+    places = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], np.float32)
+    triangles = np.array([(0, 1, 2), (1, 3, 2)], np.uint32)
+    colours = np.array([[20, 90, 100, 255]] * 3 + [[200, 90, 40, 255]], np.uint8)
+    mesh = Mesh(places, places, triangles, (places[:, :2].copy(),), colours)
+    spot = brightest(scales(128, 8))
+    found = scaled_skin(mesh, spot)
+    corners = found.coordinates[0][found.triangles]
+    assert np.allclose(corners[0], places[[0, 1, 2], :2]) and np.allclose(corners[1], spot)
+    assert np.allclose(found.vertices[found.triangles], places[triangles])
+    row, column = (scales(128, 8)[int(spot[1] * 128), int(spot[0] * 128)]).tolist()[:2]
+    assert row == column == 255, "there the tile changes no colour"
+    plain = Mesh(places, places, triangles, (places[:, :2].copy(),))
+    assert scaled_skin(plain, spot) is plain

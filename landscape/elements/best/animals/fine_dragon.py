@@ -17,7 +17,7 @@ from framelens.gl.state import glint_after_texture
 from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
-from landscape.elements.best.animals.scales import scales
+from landscape.elements.best.animals.scales import brightest, scaled_skin, scales
 from landscape.elements.best.animals.wet_sheen import WetSheen
 from landscape.elements.dragon import dragon_obstacles, planar, swimming
 from landscape.elements.settings import Settings
@@ -28,6 +28,11 @@ from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
 
 SHININESS = 40.0  # chosen: wet scales
+
+
+def remembered() -> np.ndarray:
+    """Return the tile of scales, from the cache if it was made before."""
+    return recall(["scales"], lambda: (scales(),))[0]
 
 
 class FineDragon(FineAnimal):
@@ -50,8 +55,10 @@ class FineDragon(FineAnimal):
 
         def lay(mesh: Mesh) -> Mesh:
             if dragon.mapping == "axis":
-                return by_axis(mesh, dragon.repeat)
-            return replace(mesh, coordinates=(planar(mesh.vertices),))
+                laid = by_axis(mesh, dragon.repeat)
+            else:
+                laid = replace(mesh, coordinates=(planar(mesh.vertices),))
+            return scaled_skin(laid, brightest(remembered())) if dragon.scaly else laid
 
         source = content(assets.path(dragon.mesh)), repr(replace(dragon, gloss=0.0, sheen=0.0))
         place = swimming(dragon, settings.water.level)
@@ -70,7 +77,7 @@ class FineDragon(FineAnimal):
         """Return scales, or the skin of 2006."""
         if not self.settings.dragon.scaly:
             return super()._picture(assets)
-        return recall(["scales"], lambda: (scales(),))[0]
+        return remembered()
 
     def obstacles(self) -> tuple[Obstacle, ...]:
         """Return what the walker cannot pass."""

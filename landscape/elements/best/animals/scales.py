@@ -4,10 +4,15 @@ Technique: cellular texture. Points are scattered, one in each square of a latti
 into a ring; each texel belongs to its nearest point. How much nearer that point is than the next
 one tells how far the texel lies from the furrow. The tile is grey, and multiplies the colours of
 the vertices. Scales have no direction: where two charts of axis_mapping.py meet, nothing shows.
+Horns, teeth, eyes, fins and the plates of the belly have none (:func:`scaled_skin`).
 Source: Worley, A cellular texture basis function, SIGGRAPH 1996. No OpenGL.
 """
 
+from dataclasses import replace
+
 import numpy as np
+
+from landscape.geometry.mesh import Mesh
 
 SIDE = 512  # texels
 SCALES = 32  # chosen: scales along a side of the tile
@@ -56,3 +61,33 @@ def scales(side: int = SIDE, count: int = SCALES) -> np.ndarray:
     dome = 1.0 - 0.30 * first  # a scale is brightest in its middle, which faces outwards
     grey = (DARKEST + (1.0 - DARKEST) * rim) * dome * tone
     return np.repeat(np.rint(np.clip(grey, 0.0, 1.0) * 255)[..., None], 3, axis=2).astype(np.uint8)
+
+
+def brightest(tile: np.ndarray) -> np.ndarray:
+    """Return the texture coordinates (2,) of the middle of the tile's brightest scale."""
+    row, column = np.unravel_index(tile[..., 0].argmax(), tile.shape[:2])
+    return np.array([column + 0.5, row + 0.5]) / tile.shape[0]
+
+
+def scaled_skin(mesh: Mesh, spot: np.ndarray) -> Mesh:
+    """Return a mesh whose faces show scales only where its colours are bluer than red.
+
+    That is the painted skin. All corners of the other faces look up ``spot`` (2,), where the tile
+    changes no colour. A mesh without colours is scaled all over.
+    """
+    if mesh.colors is None:
+        return mesh
+    skin = mesh.colors[:, 2].astype(int) > mesh.colors[:, 0]
+    bare = ~skin[mesh.triangles].all(axis=1)
+    corners, number = np.unique(mesh.triangles[bare], return_inverse=True)
+    triangles = mesh.triangles.copy()
+    triangles[bare] = (len(mesh.vertices) + number.reshape(-1, 3)).astype(np.uint32)
+    plain = np.tile(spot.astype(np.float32), (len(corners), 1))
+    return replace(
+        mesh,
+        vertices=np.concatenate([mesh.vertices, mesh.vertices[corners]]),
+        normals=np.concatenate([mesh.normals, mesh.normals[corners]]),
+        triangles=triangles,
+        coordinates=(np.concatenate([mesh.coordinates[0], plain]),),
+        colors=np.concatenate([mesh.colors, mesh.colors[corners]]),
+    )
