@@ -6,11 +6,12 @@
     PYTHONPATH=scripts python scripts/film_costs.py empty --engine FILE.json
 
 ``pairs`` draws a film in several ways in turn, each a command of its own, and compares each with
-the first way of its round, by the wall clock and by the processors' time, which other programs
-disturb less. The time of a film of a tenth of a second is measured, too, and taken off: that is
-what starting costs. ``empty`` schedules, encodes and joins a long film of black pictures, which
-cost nothing to draw, and says how long it took and the most memory of a process. The workers of an
-engine, which is there already, need PYTHONPATH=scripts for that, too.
+the first way of its round: from its start to its end, by the wall clock and by the processors'
+time, which other programs disturb less. Choose ``--seconds`` so that each process has as many parts
+of four seconds as the others; what starting costs weighs less in a long film. ``empty`` schedules,
+encodes and joins a long film of black pictures, which cost nothing to draw, and says how long it
+took and the most memory of a process. The workers of an engine, which is there already, need
+PYTHONPATH=scripts for that, too.
 """
 
 import argparse
@@ -39,7 +40,6 @@ from landscape.film.stage import Drawing, Stage
 from landscape.maker import maker
 
 FPS = 30
-SHORT = 0.1  # seconds, the least of a film
 
 
 @dataclass(frozen=True)
@@ -67,20 +67,18 @@ def pairs(options: argparse.Namespace) -> int:
     """Draw a film in turns in each way, and print how much longer than the first each takes."""
     ways = options.ways.split(",")
     measured = Measured(options)
-    starts = {way: [measured.cost(way, SHORT) for _ in range(options.starts)] for way in ways}
     rounds = []
     for number in range(options.pairs):
         order = ways if number % 2 == 0 else ways[::-1]
         rounds.append({way: measured.cost(way, options.seconds) for way in order})
     for kind in ("wall", "processor"):
-        start = {way: statistics.median(getattr(c, kind) for c in starts[way]) for way in ways}
-        print(f"{kind}: starting", ", ".join(f"{way} {start[way]:.2f} s" for way in ways))
-        taken = [{way: getattr(each[way], kind) - start[way] for way in ways} for each in rounds]
+        print(f"{kind}:")
+        taken = [{way: getattr(each[way], kind) for way in ways} for each in rounds]
         for way in ways:
             more = [each[way] / each[ways[0]] - 1 for each in taken]
             middle = statistics.median(each[way] for each in taken)
             print(
-                f"  {way}: {middle:.2f} s more; {statistics.median(more):+.1%} "
+                f"  {way}: {middle:.2f} s; {statistics.median(more):+.1%} "
                 f"({min(more):+.1%} to {max(more):+.1%})"
             )
     return 0
@@ -165,8 +163,7 @@ def main() -> int:
     parser.add_argument("what", choices=("pairs", "empty"))
     parser.add_argument("--ways", default="plain,parts", help="plain, parts, engine, engine+parts")
     parser.add_argument("--pairs", type=int, default=5)
-    parser.add_argument("--starts", type=int, default=3, help="films that are as short as can be")
-    parser.add_argument("--seconds", type=float, default=8.0)
+    parser.add_argument("--seconds", type=float, default=40.0, help="of a film")
     parser.add_argument("--frames", type=int, default=100_000)
     parser.add_argument("--size", default="16x16", help="of empty frames")
     parser.add_argument("--jobs", type=int, default=2)

@@ -135,6 +135,24 @@ def test_every_option_has_help_that_names_its_default(command: tuple[str, ...]) 
             assert re.search(r"default: %\(default\)|default: " + str(default), action.help), action
 
 
+@pytest.mark.parametrize("command", ALL, ids=" ".join)
+def test_an_empty_text_is_no_path(command: tuple[str, ...]) -> None:
+    parser: Any = build_parser()
+    for word in command:
+        parser = parser._subparsers._group_actions[0].choices[word]
+    paths = [each for each in parser._actions if isinstance(each.metavar, str)]
+    for action in (each for each in paths if re.search("DIR|FILE", each.metavar) and each.type):
+        with pytest.raises(argparse.ArgumentTypeError, match="expected the path of a file or"):
+            action.type("")
+        assert action.type("a b") == Path("a b"), action.dest
+
+
+def test_an_option_without_a_path_writes_nothing(shell: Shell, tmp_path: Path) -> None:
+    done = shell("film", "fig2a", "--parts", "")
+    assert (done.status, done.out, list(tmp_path.iterdir())) == (2, "", [])
+    assert done.err.startswith("landscape: argument --parts: '': expected the path of a file")
+
+
 def test_a_help_text_can_be_expanded_as_soon_as_its_option_is_added(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -6,16 +6,18 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import CancelledError, Future
 from contextlib import contextmanager, nullcontext
 from functools import partial
+from itertools import chain, repeat
 from pathlib import Path
 
 import pytest
 from commands import SECONDS, Shell, need_library, refused
 
-from framelens.base.engine import engine, trusted
+from framelens.base.engine import Engine, engine, trusted
 from framelens.base.errors import InputError
-from framelens.base.executor import lent_or_own
+from framelens.base.executor import in_order, lent_or_own
 from landscape.film.folder import Parts
 from landscape.film.making import write
 from landscape.film.parted import LOST, Parting, draw, join
@@ -102,6 +104,43 @@ def test_a_film_of_a_cluster_is_the_same_file_whatever_is_killed(
     parts = drawn(lost).parts
     assert bytes_of(parts) == whole
     assert all(path.stat().st_mtime_ns == time for path, time in there.items()), "drawn twice"
+
+
+class Lost:
+    """A client of a cluster whose workers, or whose scheduler, are killed after the first task."""
+
+    def __init__(self, error: Exception) -> None:
+        self._errors = chain([None], repeat(error))
+
+    def get_executor(self, pure: bool) -> "Lost":
+        return self
+
+    def submit(self, function: Callable, *arguments: object) -> Future:
+        future: Future = Future()
+        error = next(self._errors)
+        if error is None:
+            future.set_result(function(*arguments))
+        elif isinstance(error, CancelledError):
+            future.cancel()
+            future.set_running_or_notify_cancel()
+        else:
+            future.set_exception(error)
+        return future
+
+    def shutdown(self, wait: bool) -> None:
+        pass
+
+
+@pytest.mark.parametrize(
+    ("how", "line"), [("scheduler", "the engine is gone"), ("workers", "a process was killed")]
+)
+def test_without_parts_the_loss_of_a_cluster_is_told_in_a_line(how: str, line: str) -> None:
+    distributed = pytest.importorskip("distributed", reason="needs the extra `cluster`")
+    killed = distributed.KilledWorker("task", None, 3)
+    error = CancelledError() if how == "scheduler" else killed
+    with Engine(Lost(error), maker, print) as workers:
+        with pytest.raises(InputError, match=line):
+            list(in_order(workers, str, [1, 2], 2))
 
 
 @pytest.mark.parametrize(

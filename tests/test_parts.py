@@ -5,6 +5,9 @@ import os
 import socket
 import subprocess
 import time
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, Future
+from contextlib import nullcontext
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -17,7 +20,7 @@ from failing_clips import Failing
 from framelens.base import claims as claims_module
 from framelens.base.claims import STALE, Claims
 from framelens.base.errors import InputError
-from framelens.base.executor import lent_or_own
+from framelens.base.executor import Here, lent_or_own
 from landscape.film import parted
 from landscape.film.cut import Film, Part
 from landscape.film.folder import Parts, film_hash, opened, plan_of
@@ -25,7 +28,7 @@ from landscape.film.making import write
 from landscape.film.parted import Parting, draw, join, status
 from landscape.film.sources import Wanted, film_of
 from landscape.film.stage import Drawing
-from landscape.maker import Maker
+from landscape.maker import Maker, maker
 
 SIZE = (32, 32)
 FPS = Fraction(2)  # a part has eight frames, of four seconds
@@ -164,6 +167,41 @@ def test_a_part_that_kills_its_process_is_told_and_the_others_are_drawn(tmp_path
     assert parting.parts.missing() == [2]
     [line] = map(str, parting.told())
     assert line.startswith("frames 16 to 23: a process was killed")
+
+
+class Breaking(Here):
+    """Refuses every task after so many, as a pool does of which a process was killed."""
+
+    def __init__(self, tasks: int) -> None:
+        self.left = tasks
+        self.functions: list[Callable] = []
+
+    def submit(self, function: Callable, /, *arguments: object, **named: object) -> Future:
+        self.functions.append(function)
+        self.left -= 1
+        if self.left < 0:
+            raise BrokenExecutor
+        return super().submit(function, *arguments, **named)
+
+
+def test_what_was_not_handed_over_to_a_broken_pool_is_drawn_by_the_next(tmp_path: Path) -> None:
+    log = tmp_path / "log"
+    pools = [Breaking(5), Breaking(1), Breaking(99)]
+    opened = iter(pools)
+    clip = film(Failing(22.0, log=str(log)))
+    parting = draw(clip, tmp_path / "parts", ".mp4", lambda: nullcontext(next(opened)), 2)
+    assert parting.parts.missing() == [] and not parting.failed
+    assert len(pictures(log)) == 44, "drawn twice"
+    assert pools[0].functions[:2] == [maker, maker], "each worker starts at once"
+    assert [pool.left for pool in pools] == [-1, -1, 97]
+
+
+@pytest.mark.parametrize("tasks", [0, 2])
+def test_a_pool_that_takes_nothing_ends_it_in_one_line(tmp_path: Path, tasks: int) -> None:
+    opened = iter([Breaking(tasks), Breaking(0)])
+    with pytest.raises(InputError, match="a process that draws was killed"):
+        draw(film(Failing(22.0)), tmp_path, ".mp4", lambda: nullcontext(next(opened)), 2)
+    assert not list(tmp_path.glob("*.claim"))
 
 
 def test_bad_input_ends_it_at_once_and_no_claim_is_left(tmp_path: Path) -> None:

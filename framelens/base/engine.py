@@ -20,6 +20,7 @@ from typing import Any, Protocol, TypeVar
 from urllib.parse import urlsplit
 
 from framelens.base.errors import InputError
+from framelens.base.executor import KILLED, WorkerKilled
 from framelens.base.installation import how_to_add
 
 Result = TypeVar("Result")
@@ -27,6 +28,11 @@ Result = TypeVar("Result")
 ANSWER = 30.0  # chosen: seconds in which a scheduler answers
 COME = 120.0  # chosen: seconds in which the first worker comes
 LARGEST = 1 << 16  # bytes of a scheduler file, far more than one has
+GONE = "the engine is gone: run the same command again"
+
+
+class EngineGone(InputError):
+    """The scheduler of a cluster has ended before its work was done."""
 
 
 class Identity(Protocol):
@@ -82,13 +88,16 @@ class Engine(Executor):
         self, asked: "Future[Any]", task: tuple[object, ...], inner: "Future[Any]"
     ) -> None:
         """Take the outcome of a task."""
+        from distributed import KilledWorker
+
         if asked.cancelled():
             return
         try:
             found = inner.result()
         except CancelledError:
-            asked.cancel()
-            asked.set_running_or_notify_cancel()
+            asked.set_exception(EngineGone(GONE))
+        except KilledWorker:
+            asked.set_exception(WorkerKilled(KILLED))
         except BaseException as error:
             asked.set_exception(error)
         else:

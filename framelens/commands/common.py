@@ -5,7 +5,6 @@ import json
 import os
 from collections.abc import Callable, Iterable
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError, short
@@ -43,7 +42,7 @@ def target_argument(parser: argparse.ArgumentParser, target: str) -> None:
 
 def edits_option(parser: argparse.ArgumentParser) -> None:
     """Add --edits."""
-    parser.add_argument("--edits", type=Path, metavar="FILE", help=EDITS)
+    parser.add_argument("--edits", type=option_values.pathname, metavar="FILE", help=EDITS)
 
 
 def json_option(parser: argparse.ArgumentParser) -> None:
@@ -54,7 +53,7 @@ def json_option(parser: argparse.ArgumentParser) -> None:
 def frame_options(parser: argparse.ArgumentParser) -> None:
     """Add which frame of a program it is, and how the program gets there."""
     parser.add_argument("--frame", type=option_values.count, default=0, metavar="N", help=FRAME)
-    parser.add_argument("--events", type=Path, metavar="FILE", help=EVENTS)
+    parser.add_argument("--events", type=option_values.pathname, metavar="FILE", help=EVENTS)
     parser.add_argument("--limit", type=option_values.seconds, metavar="SECONDS", help=LIMIT)
 
 

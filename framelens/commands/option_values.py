@@ -7,6 +7,7 @@ ArgumentTypeError that it raises.
 import argparse
 import os
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar
 
 from framelens.base import arguments
@@ -82,6 +83,14 @@ def seconds(text: str) -> float:
     if found <= 0:
         raise refusal("{text!r}: expected a number of seconds above 0", text=text)
     return found
+
+
+def pathname(text: str) -> Path:
+    """Return a path."""
+    # An empty text is that of a shell's variable which is not set; pathlib takes it for `.`.
+    if not text:
+        raise refusal("{text!r}: expected the path of a file or folder", text=text)
+    return Path(text)
 
 
 def pair(text: str) -> tuple[str, str]:

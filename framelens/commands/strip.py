@@ -1,10 +1,9 @@
 """`framelens strip`: how a frame grows, step by step, as a sheet, an animation or a page."""
 
 import argparse
-from pathlib import Path
 
 from framelens.commands import common
-from framelens.commands.option_values import refusal
+from framelens.commands.option_values import pathname, refusal
 from framelens.commands.parser import language_option
 from framelens.tape.strip import BUFFERS, GROUPINGS
 from framelens.tape.target import Target
@@ -32,7 +31,7 @@ def add_options(parser: argparse.ArgumentParser, target: str) -> None:
     )
     parser.add_argument(
         "--out",
-        type=Path,
+        type=pathname,
         metavar="FILE.png|.gif|.html",
         help="a sheet, an animation, or a page that lists the calls, too; default: "
         "TARGET-strip.png",

@@ -3,10 +3,9 @@
 import argparse
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
 from framelens.base.errors import InputError
-from framelens.commands import common
+from framelens.commands import common, option_values
 from framelens.commands.reporting import on_program
 from framelens.gl.seam import Call
 from framelens.report import trace_diff, trace_text
@@ -38,7 +37,9 @@ def add_options(parser: argparse.ArgumentParser, target: str) -> None:
     parser.add_argument(
         "--diff", metavar="TARGET2", help="print which calls come, go or change in another target"
     )
-    parser.add_argument("--diff-edits", type=Path, metavar="FILE", help="the same for these edits")
+    parser.add_argument(
+        "--diff-edits", type=option_values.pathname, metavar="FILE", help="the same for these edits"
+    )
     common.json_option(parser)
     common.frame_options(parser)
 

@@ -1,8 +1,8 @@
 """`landscape assets build`: the assets, made from code."""
 
 import argparse
-from pathlib import Path
 
+from framelens.commands import option_values
 from framelens.commands.common import quiet_option
 from landscape.commands.common import QUIET
 from landscape.commands.work import work, work_options
@@ -14,7 +14,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.add_argument("names", nargs="*", metavar="NAME", help="file names; default: all")
     parser.add_argument(
-        "--assets", type=Path, metavar="DIR", help="where to write them; default: in place"
+        "--assets",
+        type=option_values.pathname,
+        metavar="DIR",
+        help="where to write them; default: in place",
     )
     work_options(parser)
     quiet_option(parser, QUIET)

@@ -3,6 +3,7 @@
 import argparse
 from pathlib import Path
 
+from framelens.commands import option_values
 from framelens.commands.common import quiet_option
 from landscape.commands.common import QUIET
 from landscape.files.stanford import fetch
@@ -18,7 +19,11 @@ DESCRIPTION = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.add_argument(
-        "--out", type=Path, default=Path("stanford"), metavar="DIR", help="default: %(default)s"
+        "--out",
+        type=option_values.pathname,
+        default=Path("stanford"),
+        metavar="DIR",
+        help="default: %(default)s",
     )
     quiet_option(parser, QUIET)
 

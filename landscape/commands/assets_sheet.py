@@ -1,9 +1,9 @@
 """`landscape assets sheet`: all assets on one picture."""
 
 import argparse
-from pathlib import Path
 
 from framelens.base.output import output_paths, save_png
+from framelens.commands import option_values
 from landscape.commands.common import assets_option
 from landscape.gallery.sheet import contact_sheet
 
@@ -12,7 +12,9 @@ EXAMPLE = "--out sheet.png"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
-    parser.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: sheet.png")
+    parser.add_argument(
+        "--out", type=option_values.pathname, metavar="FILE.png|DIR", help="default: sheet.png"
+    )
     assets_option(parser)
 
 

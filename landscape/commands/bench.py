@@ -3,12 +3,12 @@
 import argparse
 import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.base.output import check_writable, write_whole
 from framelens.base.progress import Progress
+from framelens.commands import option_values
 from landscape.bench import bench
 from landscape.commands.changes import given_changes, offscreen_options, tell_of_no_effect
 from landscape.commands.common import drawing_options, size_option
@@ -23,7 +23,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "views", nargs="*", metavar="VIEW", help="views or fixes; default: the nine of figure 35"
     )
-    parser.add_argument("--json", type=Path, metavar="FILE", help="write the results as JSON")
+    parser.add_argument(
+        "--json", type=option_values.pathname, metavar="FILE", help="write the results as JSON"
+    )
     parser.add_argument(
         "--moving",
         action="store_true",

@@ -1,7 +1,6 @@
 """The options that several commands share, and how their values are read."""
 
 import argparse
-from pathlib import Path
 from typing import Any
 
 from framelens.base import arguments
@@ -95,7 +94,7 @@ def settings_options(parser: Options, example: str, key: str, listed: str) -> No
     )
     parser.add_argument(
         "--settings",
-        type=Path,
+        type=option_values.pathname,
         metavar="FILE.toml",
         help=f"a file of settings, as in {example}; --set overrides it",
     )
@@ -103,7 +102,7 @@ def settings_options(parser: Options, example: str, key: str, listed: str) -> No
 
 def assets_option(parser: Options) -> None:
     """Add --assets."""
-    parser.add_argument("--assets", type=Path, metavar="DIR", help=OWN_FILES)
+    parser.add_argument("--assets", type=option_values.pathname, metavar="DIR", help=OWN_FILES)
 
 
 def drawing_options(parser: argparse.ArgumentParser, samples: int, preset: str = BY_VIEW) -> None:

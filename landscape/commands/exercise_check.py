@@ -4,7 +4,6 @@ import argparse
 import os
 import shutil
 import textwrap
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ import numpy as np
 from framelens.base.errors import InputError, visible
 from framelens.base.output import check_writable, save_png
 from framelens.base.texts import Translator, choose
-from framelens.commands.option_values import refusal
+from framelens.commands.option_values import pathname, refusal
 from framelens.commands.parser import language_option
 from framelens.system import quoted
 from landscape.commands import exercise_class
@@ -43,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "files",
         nargs="+",
-        type=Path,
+        type=pathname,
         metavar="FILE|FOLDER|ZIP",
         help=_("the program; or a folder, a zip or several files: a class"),
     )
@@ -56,7 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
     parser.add_argument(
         "--heat-map",
-        type=Path,
+        type=pathname,
         metavar="FILE.png",
         help=_("write your picture, where it differs, and the solution's, side by side"),
     )

@@ -6,7 +6,6 @@ import shutil
 import sys
 from collections.abc import Sequence
 from datetime import datetime
-from pathlib import Path
 
 from framelens.base import packages
 from framelens.base.errors import InputError
@@ -14,7 +13,7 @@ from framelens.base.input import read_bounded
 from framelens.base.output import check_folder, check_writable, write_whole
 from framelens.base.progress import Progress
 from framelens.base.texts import Translator, translator
-from framelens.commands.option_values import refusal
+from framelens.commands.option_values import pathname, refusal
 from landscape.commands.shelves import shelf
 from landscape.commands.work import work
 from landscape.course.grader.confinement import AUTO
@@ -46,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     own = parser.add_argument_group(_("a class: a folder, a zip or several files"))
     own.add_argument(
         "--out",
-        type=Path,
+        type=pathname,
         action="append",
         default=[],
         metavar="FILE|DIR",
@@ -59,13 +58,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     # For Moodle.
     own.add_argument(
         "--worksheet",
-        type=Path,
+        type=pathname,
         metavar="FILE.csv",
         help=_("fill in a grading worksheet of Moodle: its grades and comments, nothing else"),
     )
     own.add_argument(
         "--feedback",
-        type=Path,
+        type=pathname,
         metavar="FILE.zip",
         help=_("write a zip of feedback files for Moodle, a page for each student"),
     )

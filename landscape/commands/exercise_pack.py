@@ -3,13 +3,13 @@
 import argparse
 import os
 from collections.abc import Sequence
-from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.output import check_output_folder, write_all
 from framelens.base.progress import Progress
 from framelens.base.texts import choose, translator
 from framelens.base.texts import marked as _
+from framelens.commands import option_values
 from framelens.commands.parser import language_option
 from landscape.commands.shelves import own_option, own_shelf
 from landscape.course.exercise import Grader
@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
     parser.add_argument(
         "--out",
-        type=Path,
+        type=option_values.pathname,
         required=True,
         metavar="DIR",
         help=_("the folder for students.zip, which has no solutions, and teacher.zip"),

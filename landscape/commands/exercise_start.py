@@ -8,6 +8,7 @@ from framelens.base.errors import InputError
 from framelens.base.output import check_folder, write_whole
 from framelens.base.texts import choose, translator
 from framelens.base.texts import marked as _
+from framelens.commands import option_values
 from framelens.commands.parser import language_option
 from framelens.system import quoted
 from landscape.commands.shelves import exercises_option, shelf
@@ -21,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", metavar="NAME", help=_("see `landscape exercise list`"))
     parser.add_argument(
         "--out",
-        type=Path,
+        type=option_values.pathname,
         metavar="FILE|DIR",
         help=_("a file that is not there yet; default: NAME.py"),
     )

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import landscape
 from framelens.base.errors import InputError
+from framelens.commands import option_values
 from landscape.commands.changes import given_changes, offscreen_options
 from landscape.commands.common import drawing_options
 from landscape.commands.work import work, work_options
@@ -22,7 +23,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="35, fig35a, R6; hall, voxel or flyover; or a picture or pair of these three pages",
     )
     parser.add_argument(
-        "--out", type=Path, default=Path("figures"), metavar="DIR", help="default: %(default)s"
+        "--out",
+        type=option_values.pathname,
+        default=Path("figures"),
+        metavar="DIR",
+        help="default: %(default)s",
     )
     parser.add_argument("--check", action="store_true", help="compare with the committed pictures")
     parser.add_argument("--update", action="store_true", help="replace the committed pictures")

@@ -11,7 +11,7 @@ from pathlib import Path
 from framelens.base.errors import InputError, Message
 from framelens.base.executor import lent_or_own
 from framelens.base.texts import choose, said
-from framelens.commands.option_values import number, refusal
+from framelens.commands.option_values import number, pathname, refusal
 from framelens.commands.parser import language_option
 from framelens.commands.reporting import notify
 from landscape.commands.changes import given_changes, tell_of_no_effect
@@ -58,7 +58,7 @@ OUT = "the film: H.264, VP9 or a GIF, by the name's ending (the first two need t
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
     parser.add_argument("views", nargs="*", metavar="VIEW|FILE.svg|RECORDING|tour", help=SOURCES)
-    parser.add_argument("--out", type=Path, metavar="FILE.mp4|.webm|.gif", help=OUT)
+    parser.add_argument("--out", type=pathname, metavar="FILE.mp4|.webm|.gif", help=OUT)
 
     parser.add_argument(
         "--fps",
@@ -84,10 +84,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     work_options(parser, JOBS)
 
     group = parser.add_argument_group("parts")
-    group.add_argument("--parts", type=Path, metavar="DIR", help=PARTS)
+    group.add_argument("--parts", type=pathname, metavar="DIR", help=PARTS)
     group.add_argument("--share", action="store_true", help=SHARE)
-    group.add_argument("--join", type=Path, metavar="DIR|FILE.json", help=JOIN)
-    group.add_argument("--status", type=Path, metavar="DIR|FILE.json", help=STATUS)
+    group.add_argument("--join", type=pathname, metavar="DIR|FILE.json", help=JOIN)
+    group.add_argument("--status", type=pathname, metavar="DIR|FILE.json", help=STATUS)
 
     parser.add_argument("--camera", choices=RIGS, default=ONE, help=CAMERA)
     parser.add_argument("--sound", action="store_true", help=SOUND)

@@ -78,17 +78,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--frames", type=option_values.count, metavar="N", help=FRAMES)
     parser.add_argument("--fps", type=option_values.number, default=30.0, metavar="N", help=FPS)
     parser.add_argument("--at", type=option_values.number, default=0.0, metavar="SECONDS", help=AT)
-    parser.add_argument("--out", type=Path, metavar="DIR|FILE", help=OUT)
+    parser.add_argument("--out", type=option_values.pathname, metavar="DIR|FILE", help=OUT)
     parser.add_argument("--jobs", type=option_values.jobs, metavar="N", help=JOBS)
 
     # Instead of the window: measures, and an environment as files.
     parser.add_argument("--bench", action="store_true", help=BENCH)
     parser.add_argument(
-        "--json", type=Path, metavar="FILE", help="with --bench: write the results as JSON"
+        "--json",
+        type=option_values.pathname,
+        metavar="FILE",
+        help="with --bench: write the results as JSON",
     )
     parser.add_argument("--profile", action="store_true", help=PROFILE)
-    parser.add_argument("--rank", type=Path, nargs="+", metavar="FILE.json", help=RANK)
-    parser.add_argument("--export", type=Path, dest="folder", metavar="DIR", help=FOLDER)
+    parser.add_argument(
+        "--rank", type=option_values.pathname, nargs="+", metavar="FILE.json", help=RANK
+    )
+    parser.add_argument(
+        "--export", type=option_values.pathname, dest="folder", metavar="DIR", help=FOLDER
+    )
 
     parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     parser.add_argument("--fresh", action="store_true", help=FRESH)

@@ -34,7 +34,9 @@ FORMATS = (".html", ".pdf")
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
-    parser.add_argument("file", nargs="?", type=Path, metavar="FILE", help=LECTURE)
+    parser.add_argument(
+        "file", nargs="?", type=option_values.pathname, metavar="FILE", help=LECTURE
+    )
     parser.add_argument(
         "--from", dest="begin", default="", metavar="NAME", help=_("begin at this step, or number")
     )
@@ -55,7 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
     parser.add_argument(
         "--out",
-        type=Path,
+        type=option_values.pathname,
         action="append",
         default=[],
         metavar="FILE.html|.pdf",
@@ -71,7 +73,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--copy",
-        type=Path,
+        type=option_values.pathname,
         nargs="?",
         const=Path(),
         metavar="DIR",

@@ -11,6 +11,7 @@ from framelens.base.errors import InputError, NoOpenGLError
 from framelens.base.output import check_output_folder, check_writable, save_png, write_all
 from framelens.base.texts import LANGUAGES, Phrases, choose, translator
 from framelens.base.texts import marked as _
+from framelens.commands import option_values
 from framelens.commands.parser import backend_option, language_option
 from framelens.gl import display
 from framelens.program.program_events import presses
@@ -48,9 +49,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", nargs="?", default="", metavar="NAME|FILE.py", help=LESSON)
     what = parser.add_mutually_exclusive_group()
     what.add_argument(
-        "--out", type=Path, metavar="FILE.png", help=_("draw it to a file, without a screen")
+        "--out",
+        type=option_values.pathname,
+        metavar="FILE.png",
+        help=_("draw it to a file, without a screen"),
     )
-    what.add_argument("--copy", type=Path, nargs="?", const=Path(), metavar="DIR", help=COPY)
+    what.add_argument(
+        "--copy", type=option_values.pathname, nargs="?", const=Path(), metavar="DIR", help=COPY
+    )
     what.add_argument("--inspect", action="store_true", help=_("run it under the inspector (F12)"))
     what.add_argument("--json", action="store_true", help=_("print what is known of it as JSON"))
     language_option(parser, "language of the texts")

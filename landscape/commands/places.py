@@ -1,10 +1,10 @@
 """`landscape places`: where the island's trees, deer and plants stand, saved to a file."""
 
 import argparse
-from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.output import check_writable, write_whole
+from framelens.commands import option_values
 from landscape.commands.changes import given_changes, offscreen_options
 from landscape.commands.common import drawing_options
 from landscape.elements.places_file import as_csv
@@ -18,7 +18,7 @@ PLACES = "the file to write, which the setting transparent.places reads"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the command."""
-    parser.add_argument("file", type=Path, metavar="FILE.csv", help=PLACES)
+    parser.add_argument("file", type=option_values.pathname, metavar="FILE.csv", help=PLACES)
     drawing_options(parser, samples=0, preset="best or 2006; default: best")
 
 

@@ -9,7 +9,7 @@ from framelens.base.errors import InputError
 from framelens.base.output import output_paths, write_all
 from framelens.base.progress import Progress
 from framelens.commands.common import edits_option
-from framelens.commands.option_values import refusal
+from framelens.commands.option_values import pathname, refusal
 from framelens.commands.reporting import notify
 from landscape.commands.changes import given_changes, offscreen_options, tell_of_no_effect
 from landscape.commands.common import WORLD, drawing_options, kt_option, pose_option, size_option
@@ -36,9 +36,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("views", nargs="*", metavar="VIEW", help="see `landscape views`")
     pose_option(parser)
     parser.add_argument("--scene", choices=tuple(SCENES), default="", help=SCENE)
-    parser.add_argument("--out", type=Path, metavar="FILE.png|DIR", help="default: VIEW.png")
+    parser.add_argument("--out", type=pathname, metavar="FILE.png|DIR", help="default: VIEW.png")
     kt_option(parser)
-    parser.add_argument("--world", type=Path, metavar="FILE", help=WORLD)
+    parser.add_argument("--world", type=pathname, metavar="FILE", help=WORLD)
     edits_option(parser)
     size_option(parser, (800, 600), "size of the pictures")
     parser.add_argument("--passes", action="store_true", help=PASSES)

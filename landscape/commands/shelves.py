@@ -9,6 +9,7 @@ from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.texts import marked as _
+from framelens.commands import option_values
 from landscape.course.shelf import Shelf
 
 
@@ -16,7 +17,7 @@ def exercises_option(parser: argparse.ArgumentParser) -> None:
     """Add --exercises."""
     parser.add_argument(
         "--exercises",
-        type=Path,
+        type=option_values.pathname,
         metavar="DIR",
         help=_("a folder with exercises of your own: a folder each"),
     )
@@ -26,7 +27,7 @@ def own_option(parser: argparse.ArgumentParser) -> None:
     """Add --exercises, for a lecturer."""
     parser.add_argument(
         "--exercises",
-        type=Path,
+        type=option_values.pathname,
         metavar="DIR",
         help=_("where your own exercises lie, a folder each; default: the current folder"),
     )

@@ -1,11 +1,10 @@
 """`landscape sound`: what there is to hear in a view, as a WAV file."""
 
 import argparse
-from pathlib import Path
 
 from framelens.base.errors import InputError
 from framelens.base.output import check_writable
-from framelens.commands.option_values import number, refusal
+from framelens.commands.option_values import number, pathname, refusal
 from framelens.commands.reporting import notify
 from landscape.commands.changes import given_changes
 from landscape.commands.common import (
@@ -42,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="how long; default: %(default)g",
     )
-    parser.add_argument("--out", type=Path, required=True, metavar="FILE.wav", help="the file")
+    parser.add_argument("--out", type=pathname, required=True, metavar="FILE.wav", help="the file")
     parser.add_argument("--preset", metavar="best|2006", help=BY_VIEW)
     settings_options(parser, "[sound] volume = 2.0", "sound.volume=2", "landscape settings sound")
     assets_option(parser)

@@ -3,7 +3,6 @@
 import argparse
 import os
 from dataclasses import astuple, replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError
@@ -77,9 +76,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
     # Files that it reads and writes.
     edits_option(parser)
-    parser.add_argument("--world", type=Path, metavar="FILE", help=f"{WORLD}, loaded and saved")
-    parser.add_argument("--record", type=Path, metavar="FILE", help="record the walk")
-    parser.add_argument("--replay", type=Path, metavar="FILE", help=REPLAY)
+    parser.add_argument(
+        "--world", type=option_values.pathname, metavar="FILE", help=f"{WORLD}, loaded and saved"
+    )
+    parser.add_argument(
+        "--record", type=option_values.pathname, metavar="FILE", help="record the walk"
+    )
+    parser.add_argument("--replay", type=option_values.pathname, metavar="FILE", help=REPLAY)
     parser.add_argument("--path", metavar="FILE.svg", help=ALONG)
 
     # How long it runs, and how finely it is drawn.

@@ -7,13 +7,13 @@ for its next one. Only a few pictures or parts exist at a time, however long the
 import pickle
 import zlib
 from collections.abc import Callable, Generator, Sequence
-from concurrent.futures import Executor
+from concurrent.futures import BrokenExecutor, Executor
 from functools import partial
 
 import numpy as np
 
 from framelens.base.errors import InputError
-from framelens.base.executor import Kept, WorkerKilled, ahead, in_order
+from framelens.base.executor import Kept, Result, WorkerKilled, ahead, in_order
 from landscape.film.cut import Film
 from landscape.film.encode import Format, part_encoder
 from landscape.film.stage import Stage
@@ -96,6 +96,20 @@ def part(packed: bytes, format: Format, number: int) -> bytes:
             return encoder.finish()
     except MemoryError:
         raise TooLarge(TOO_LARGE) from None
+
+
+def single(
+    executor: Executor, function: Callable[..., Result], /, *arguments: object, times: int = 1
+) -> Result:
+    """Return the result of a task that is not repeated; InputError if its worker dies.
+
+    It is asked for so many times: of each worker, where all of them are to start.
+    """
+    try:
+        asked = [executor.submit(function, *arguments) for _ in range(times)]
+        return asked[0].result()
+    except (BrokenExecutor, WorkerKilled):
+        raise InputError(DIED) from None
 
 
 def packed(film: Film) -> bytes:

@@ -12,7 +12,7 @@ from framelens.commands.reporting import notify
 from framelens.system import interrupts_held
 from landscape.film.cut import Film
 from landscape.film.encode import FilmFile, Format, format_of
-from landscape.film.frames import drawn, packed, part_frames, parts, samples
+from landscape.film.frames import drawn, packed, part_frames, parts, samples, single
 from landscape.film.sound import sound_part
 
 
@@ -41,7 +41,7 @@ def write(
             format = format_of(out, film.drawing.size, film.fps, palette)
             sound = b""
             if film.sound:
-                sound = workers.submit(sound_part, packed(film), format.ending).result()
+                sound = single(workers, sound_part, packed(film), format.ending)
             file = FilmFile(out, format, sound)
             if executor is None:
                 _draw(film, file, workers, jobs, progress)

@@ -10,7 +10,6 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import (
     FIRST_COMPLETED,
     BrokenExecutor,
-    CancelledError,
     Executor,
     Future,
     wait,
@@ -18,14 +17,15 @@ from concurrent.futures import (
 from contextlib import AbstractContextManager
 from pathlib import Path
 
+from framelens.base.engine import EngineGone
 from framelens.base.errors import InputError, Message, NoOpenGLError, located
-from framelens.base.executor import KILLED
+from framelens.base.executor import KILLED, WorkerKilled
 from framelens.base.output import write_whole
 from framelens.base.progress import Progress
 from landscape.film.cut import Film
 from landscape.film.encode import Format, format_of, joined
 from landscape.film.folder import Parts, plan_of
-from landscape.film.frames import TooLarge, close, packed, part, samples
+from landscape.film.frames import DIED, TooLarge, close, packed, part, part_count, samples, single
 from landscape.film.sound import sound_part
 from landscape.maker import maker
 
@@ -49,7 +49,8 @@ class Parting:
         self._todo = deque(parts.missing())
         self._tries: Counter[int] = Counter()
         self._pending: dict[Future[bytes], int] = {}
-        self._broken = False
+        self._broken = False  # a process of the executor has been killed
+        self._begun = False  # the executor has taken a part
 
     @property
     def missing(self) -> int:
@@ -58,7 +59,7 @@ class Parting:
 
     def work(self, executor: Executor, progress: Progress) -> None:
         """Draw what is missing, until there is no more or a process of the executor is killed."""
-        self._broken = False
+        self._broken = self._begun = False
         with self.parts.claims.kept():
             while (self._todo and not self._broken) or self._pending:
                 if not self._broken:
@@ -83,10 +84,26 @@ class Parting:
             number = self._todo.popleft()
             if self._is_there(number):
                 progress.step("frames", len(self.parts.plan.frames_of(number)))
-            elif self._claimed(number):
-                self._pending[executor.submit(part, *self._task, number)] = number
-            else:
+            elif not self._claimed(number):
                 self._todo.append(number)
+            elif not self._handed_over(executor, number):
+                return
+
+    def _handed_over(self, executor: Executor, number: int) -> bool:
+        """Hand a part over; return False if a process of the executor has been killed meanwhile."""
+        try:
+            future = executor.submit(part, *self._task, number)
+        except BrokenExecutor:
+            if not self._begun:
+                raise InputError(DIED) from None  # an executor that will never work
+            # Only the parts that were at work then have failed.
+            self._broken = True
+            self.parts.claims.release(self.parts.name(number))
+            self._todo.appendleft(number)
+            return False
+        self._begun = True
+        self._pending[future] = number
+        return True
 
     def _is_there(self, number: int) -> bool:
         return self.parts.path(number).exists()
@@ -111,10 +128,12 @@ class Parting:
         """Take the result of a task."""
         try:
             data = future.result()
-        except CancelledError:
+        except EngineGone:
             raise InputError(LOST) from None
         except BrokenExecutor:
             self._broken = True
+            self._note(number, Message(KILLED))
+        except WorkerKilled:
             self._note(number, Message(KILLED))
         except TooLarge as error:
             self._note(number, Message(str(error.args[0]), **error.values))
@@ -194,7 +213,9 @@ def _begun(
 ) -> Parting:
     """Return a film of which nothing is drawn yet in this run; a GIF gets its palette first."""
     backend = film.drawing.backend if film.needs_opengl else ""
-    who = workers.submit(maker, backend).result()
+    # Of each worker that will get a part, so that all start at once.
+    count = part_count(film, Format(ending, film.drawing.size, film.fps))
+    who = single(workers, maker, backend, times=min(jobs, count))
     parts = Parts.begun(folder, plan_of(film, ending, who, sources))
     if ending == ".gif" and not parts.palette.is_file():
         found = format_of(
@@ -206,7 +227,7 @@ def _begun(
         write_whole(parts.palette, found.palette)
     if film.sound and not parts.sound.is_file():
         # Who shares the folder may make it, too: it is the same.
-        write_whole(parts.sound, workers.submit(sound_part, packed(film), ending).result())
+        write_whole(parts.sound, single(workers, sound_part, packed(film), ending))
     return Parting(film, parts, parts.format(), jobs, share)
 
 

@@ -69,10 +69,12 @@ def in_code(*patterns: str) -> Iterator[Message]:
 
 
 ERRORS = (
+    "EngineGone",
     "InputError",
     "NoOpenGLError",
     "ProgramError",
     "StateError",
+    "TooLarge",
     "WorkerKilled",
     "Message",
     "refusal",
