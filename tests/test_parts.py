@@ -366,6 +366,8 @@ def test_the_command_draws_parts_tells_their_status_and_joins_them(
     refused(shell(*words, "--share", "--out", "a.mp4"), "--parts")
     refused(shell(*words), "--out or --parts")
     refused(shell("film", "--out", "a.mp4"), "VIEW")
+    (tmp_path / "file").touch()
+    refused(shell(*words, "--parts", "file"), "--parts file: expected a folder")
     done = shell(*words, "--set", "fog.density=0.2", "--parts", "parts", "--jobs", "1")
     assert "fog.density: ignored" in done.err, "a notice, as where a film is drawn without parts"
     told = shell("film", "--status", "parts").out

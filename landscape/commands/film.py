@@ -10,6 +10,7 @@ from pathlib import Path
 
 from framelens.base.errors import InputError, Message
 from framelens.base.executor import lent_or_own
+from framelens.base.output import check_folder
 from framelens.base.texts import choose, said
 from framelens.commands.option_values import number, pathname, refusal
 from framelens.commands.parser import language_option
@@ -18,7 +19,7 @@ from landscape.commands.changes import given_changes, tell_of_no_effect
 from landscape.commands.common import drawing_options, kt_option, size_option
 from landscape.commands.work import work, work_options
 from landscape.film.cut import Film
-from landscape.film.encode import check
+from landscape.film.encode import check, check_format
 from landscape.film.folder import Parts, opened
 from landscape.film.making import finished, write
 from landscape.film.parted import draw, join, status
@@ -189,8 +190,11 @@ def _draw(options: argparse.Namespace) -> int:
     changes = given_changes(options, *(kind for kind, _ in found))
     wanted = Wanted(**{**vars(wanted), "changes": changes})
 
+    # A folder with all parts, which one can only read, will do.
+    if options.parts is not None and not options.parts.is_dir():
+        check_folder(options.parts, f"--parts {options.parts}")
     out = options.out or options.parts / "film.mp4"
-    check(out, options.size, wanted.rate)
+    (check_format if options.out is None else check)(out, options.size, wanted.rate)
     if options.sound and out.suffix.lower() == ".gif":
         raise InputError("--sound: a GIF has none; expected .mp4 or .webm")
     film = film_of(options.views, wanted)

@@ -90,14 +90,19 @@ def check(out: Path, size: tuple[int, int], fps: Fraction) -> None:
 
     ``size`` is in pixels, ``fps`` in frames per second.
     """
+    check_format(out, size, fps)
+    check_writable(out, "--out ")
+    if out.exists() and not out.is_file():
+        raise InputError("--out {out}: expected a file, not a device or a pipe", out=out)
+
+
+def check_format(out: Path, size: tuple[int, int], fps: Fraction) -> None:
+    """Raise InputError where a film of this name cannot be encoded; arguments as of check."""
     ending = out.suffix.lower()
     if ending not in ENDINGS:
         raise InputError(
             "--out {out}: expected a name that ends in {names}", out=out, names=", ".join(ENDINGS)
         )
-    check_writable(out, "--out ")
-    if out.exists() and not out.is_file():
-        raise InputError("--out {out}: expected a file, not a device or a pipe", out=out)
     if ending == ".gif":
         if fps > FASTEST:
             raise InputError(
