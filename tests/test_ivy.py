@@ -32,6 +32,17 @@ def test_leaves_lie_before_the_tower_and_few_leave_it() -> None:
     assert np.allclose(np.linalg.norm(normals, axis=2), 1.0, atol=1e-5) and tints.min() > 0
 
 
+def test_leaves_from_the_cache_are_those_that_were_made() -> None:
+    growth = leaves(level)[0]
+    made = ivy.single_leaves(growth, level)
+    for _ in range(2):
+        mesh, tints = ivy.remembered_leaves(growth, level)
+        assert (mesh.vertices == made[0].vertices).all() and (tints == made[1]).all()
+        assert (mesh.triangles == made[0].triangles).all()
+    shade = zip(ivy.remembered_shade(growth), ivy.shade_on_wall(growth), strict=True)
+    assert all((found == made).all() for found, made in shade)
+
+
 def test_leaves_differ_in_size_and_hue_and_hang_with_their_tips_down() -> None:
     vertices, _, _, tints = grown()
     tips = vertices[:, 4] - vertices[:, 1]

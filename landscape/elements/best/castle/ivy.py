@@ -12,6 +12,7 @@ import numpy as np
 from landscape.elements.best.castle.footing import Ground
 from landscape.elements.best.castle.growth import IVIES
 from landscape.elements.best.castle.ornate_masonry import PLINTH
+from landscape.files.cache import recall
 from landscape.geometry.masonry import TOWER_RADIUS
 from landscape.geometry.mesh import Mesh, grid_triangles
 
@@ -214,6 +215,27 @@ def _mesh(found: Leaves, rng: np.random.Generator) -> tuple[Mesh, np.ndarray]:
         (np.ascontiguousarray(uv.reshape(-1, 2), np.float32),),
     )
     return mesh, np.repeat(tints, PER_LEAF, axis=0)
+
+
+def remembered_leaves(growth: Mesh, ground: Ground) -> tuple[Mesh, np.ndarray]:
+    """Return :func:`single_leaves`, from the cache if they were made before.
+
+    The weeds in ``growth`` stand on the ground all around: they tell one ground from another.
+    """
+
+    def make() -> tuple[np.ndarray, ...]:
+        mesh, tints = single_leaves(growth, ground)
+        return mesh.vertices, mesh.normals, mesh.triangles, mesh.coordinates[0], tints
+
+    vertices, normals, triangles, coordinates, tints = recall(
+        ["single leaves of ivy", growth.vertices.tobytes()], make
+    )
+    return Mesh(vertices, normals, triangles, (coordinates,)), tints
+
+
+def remembered_shade(growth: Mesh) -> tuple[np.ndarray, ...]:
+    """Return :func:`shade_on_wall`, from the cache if it was made before."""
+    return recall(["shade of ivy", growth.vertices.tobytes()], lambda: shade_on_wall(growth))
 
 
 def shade_on_wall(growth: Mesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

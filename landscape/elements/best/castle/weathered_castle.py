@@ -27,7 +27,7 @@ from landscape.elements.best.castle.blocks import (
 from landscape.elements.best.castle.footing import ground_marks, rubble
 from landscape.elements.best.castle.grain import grain, grained
 from landscape.elements.best.castle.growth import leaves
-from landscape.elements.best.castle.ivy import PER_LEAF, shade_on_wall, single_leaves
+from landscape.elements.best.castle.ivy import PER_LEAF, remembered_leaves, remembered_shade
 from landscape.elements.best.castle.loopholes import loopholes, openings
 from landscape.elements.best.castle.ornate_castle import OrnateCastle
 from landscape.elements.best.castle.slates import slate_roofs
@@ -169,7 +169,7 @@ class WeatheredCastle(OrnateCastle):
         darker[growth.coordinates[0][:, 1] < 0.5] *= BEHIND
         self._send_leaves(growth, darker)
         self._ivy.bind()
-        mesh, own = single_leaves(growth, self._ground_at)
+        mesh, own = remembered_leaves(growth, self._ground_at)
         # A leaf is small: the light at its foot is that on all of it.
         foot = slice(1, None, PER_LEAF)
         light = self._light_at("single leaves", mesh.vertices[foot], mesh.normals[foot], worn=False)
@@ -178,7 +178,7 @@ class WeatheredCastle(OrnateCastle):
     @staticmethod
     def _send_shade(growth: Mesh) -> None:
         """Send the shade on the wall behind the ivy."""
-        vertices, colours, triangles = shade_on_wall(growth)
+        vertices, colours, triangles = remembered_shade(growth)
         with client_arrays(vertices, None, colours):
             gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
