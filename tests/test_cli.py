@@ -103,6 +103,14 @@ def test_a_command_imports_neither_another_one_nor_what_that_needs() -> None:
     assert not modules & {"landscape.commands.views", "landscape.commands.walk", "glfw"}
 
 
+@pytest.mark.seldom(3)
+def test_a_walk_without_a_path_imports_no_module_of_the_fly_over() -> None:
+    words = "walk", "hall", "--only", "floor", "--size", "40x30", "--frames", "1"
+    modules = imported(*words, "--backend", "osmesa", "--fresh")
+    assert "landscape.walk.loop" in modules
+    assert not [name for name in modules if name.startswith("landscape.flyover")]
+
+
 def test_the_list_of_commands_imports_none_of_them() -> None:
     modules = imported()
     assert "landscape.cli" in modules

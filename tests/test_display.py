@@ -1,9 +1,11 @@
 """Which display a window is opened on, whatever XDG_SESSION_TYPE says."""
 
+import importlib.util
 import os
 import shutil
 import socket
 import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -100,6 +102,30 @@ def test_the_walk_opens_a_window_on_x_in_a_session_said_to_be_wayland(
     words = ["walk", "fig35a", "--size", "64x48", "--frames", "1", "--only", "sky"]
     done = landscape(*words, env=environment(**said))
     assert (done.status, done.err) == (0, "")
+
+
+def test_glfw_is_taken_from_its_package_without_starting_a_program_for_it(x_server: str) -> None:
+    code = (
+        "import os, subprocess\n"
+        "subprocess.Popen = None\n"
+        "from framelens.gl.glfw_library import glfw\n"
+        "print(glfw.get_version()[0], 'PYGLFW_LIBRARY' in os.environ)\n"
+        "from glfw.library import glfw as library\n"
+        "print(library._name)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env=environment(DISPLAY=x_server, XDG_SESSION_TYPE="tty"),
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    version, library = done.stdout.splitlines()
+    assert version == "3 False"
+    inside = Path(str(importlib.util.find_spec("glfw").origin)).parent / "x11"
+    if not inside.is_dir():
+        pytest.skip("the package glfw has no library inside")
+    assert Path(library).parent == inside
 
 
 def test_the_walk_without_a_display_says_which_one_is_missing(tmp_path: Path) -> None:

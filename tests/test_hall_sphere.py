@@ -15,6 +15,7 @@ from landscape.frame import Pose
 from landscape.gl.features import possible
 from landscape.hall.environment import BALL, ball_directions, disc, sphere_coordinates
 from landscape.offscreen import Offscreen
+from landscape.walk.stretch import _biased
 
 
 def unit(rng: np.random.Generator, count: int) -> np.ndarray:
@@ -104,6 +105,22 @@ def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer(
     right, stuck = pictures(hall_pictures), pictures(hall_pictures, fresh=False)
     changes = [np.abs(a - b).mean() for a, b in zip(right, stuck, strict=True)]
     assert changes[0] == 0.0 and min(changes[1:]) > 0.5
+
+
+@pytest.mark.parametrize("first", ["a wireframe", "an interlaced frame"])
+def test_the_kept_map_does_not_depend_on_the_frame_that_needs_it_first(
+    first: str, hall_pictures: HallPictures
+) -> None:
+    pose, other = AROUND[2], AROUND[0]
+    usual = hall_pictures(pose, 20.0, SHOWN)
+    hall_pictures(other, 20.0, SHOWN)  # the map is another one now
+    if first == "a wireframe":
+        hall_pictures(pose, 20.0, SHOWN, wireframe=True)
+    else:
+        hall_pictures.stage.enter()
+        with _biased(-2.0):
+            hall_pictures(pose, 20.0, SHOWN)
+    np.testing.assert_array_equal(hall_pictures(pose, 20.0, SHOWN), usual)
 
 
 @pytest.mark.seldom(6, first=3)

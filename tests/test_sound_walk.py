@@ -4,8 +4,10 @@ import sys
 import time
 from collections.abc import Iterator
 from dataclasses import replace
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from threading import Event
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ from landscape.sound.score import Event as Sounded
 from landscape.sound.score import Heard
 from landscape.sound.signal import QUANTUM, RATE
 from landscape.sound.soundscape import Ear, Soundscape
-from landscape.walk import words
+from landscape.walk import session, words
 from landscape.walk.app import Walk
 from landscape.walk.caption_image import caption_image
 from landscape.walk.hearing import Hearing, captioned
@@ -96,6 +98,27 @@ def prepared(hearing: Hearing) -> None:
     """Wait until what may be heard has been made."""
     assert hearing._preparing is not None
     hearing._preparing.join()
+
+
+@pytest.mark.parametrize("installed", [False, True])
+def test_a_walk_prepares_sound_where_something_can_play_it(
+    installed: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given: list[object] = []
+
+    def opened(*_: object, speaker: object, **__: object) -> None:
+        given.append(speaker)
+        raise LookupError
+
+    module = ModuleType("miniaudio")
+    module.__spec__ = ModuleSpec("miniaudio", None)
+    monkeypatch.setitem(sys.modules, "miniaudio", module if installed else None)  # type: ignore[arg-type]
+    monkeypatch.setattr(session, "Walk", opened)
+    island = scene("island")
+    view = island.views[island.start]
+    with pytest.raises(LookupError):
+        session.walk(island, view, island.values(None), Assets())
+    assert given == [Speaker if installed else None]
 
 
 def test_without_miniaudio_a_walk_is_silent_and_says_nothing(

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,15 @@ from framelens.base.errors import InputError
 from landscape.elements.best.stones import wanted
 from landscape.elements.best.stones.bodies import FOOT
 from landscape.elements.best.stones.scattering import rules
-from landscape.elements.best.stones.shapes import CRAG, KINDS, LOG, PEBBLE, first_shape, read_shapes
+from landscape.elements.best.stones.shapes import (
+    CRAG,
+    KINDS,
+    LOG,
+    PEBBLE,
+    first_shape,
+    kept_shapes,
+    read_shapes,
+)
 from landscape.elements.best.stones.stones import Stones
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.terrain import Terrain
@@ -275,3 +284,18 @@ def test_what_is_drawn_does_not_depend_on_the_frame_before(
                 chosen.append(used)
         differ += not np.array_equal(*chosen)
     assert differ or mirrored
+
+
+def test_shapes_from_the_cache_are_those_of_the_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path))
+    path = Assets().path("stones.ply")
+    read = read_shapes(path)
+    for _ in range(2):
+        kept = kept_shapes(path)
+        assert [len(levels) for levels in kept] == [len(levels) for levels in read]
+        for ours, theirs in zip(chain(*kept), chain(*read), strict=True):
+            for array, other in zip(vars(ours).values(), vars(theirs).values(), strict=True):
+                assert array.dtype == other.dtype
+                np.testing.assert_array_equal(array, other)

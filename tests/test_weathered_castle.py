@@ -1,6 +1,7 @@
 """The weathered castle: its stones, roofs and ivy, the hall behind its door, the torches' glow."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -28,6 +29,7 @@ from landscape.elements.castle_fire import FLAME_Z, TORCHES
 from landscape.elements.settings import Sun
 from landscape.files.assets import Assets
 from landscape.frame import Pose
+from landscape.geometry.height_field import HeightField
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP
 from landscape.geometry.mesh import Mesh
 from landscape.hall import plan
@@ -361,3 +363,23 @@ def test_a_few_windows_are_lit_brighter_at_dusk_and_no_loophole() -> None:
     assert (dusk[lit].mean(axis=(1, 2)) > day[lit].mean(axis=(1, 2)) + 0.2).all()
     assert all(opening.half > 0.012 for opening, on in zip(openings(), lit, strict=True) if on)
     assert day[~lit].max() < 0.1
+
+
+def test_what_lies_on_the_ground_is_the_same_from_the_cache(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LANDSCAPE_CACHE", str(tmp_path))
+    castle = object.__new__(WeatheredCastle)
+    castle.base, castle._yaw = (20.0, 1.0, 20.0), 30.0
+    castle._field = HeightField(np.linspace(0, 2, 64).reshape(8, 8), 48.0, 0.5)
+    for name, make in (("rubble", rubble), ("leaves", leaves)):
+        wanted, tints = make(castle._ground_at)
+        for _ in range(2):
+            mesh, kept = castle._kept(name, make)
+            np.testing.assert_array_equal(kept, tints)
+            np.testing.assert_array_equal(mesh.vertices, wanted.vertices)
+            np.testing.assert_array_equal(mesh.triangles, wanted.triangles)
+            assert len(mesh.coordinates) == len(wanted.coordinates)
+            np.testing.assert_array_equal(mesh.coordinates[0], wanted.coordinates[0])
+        castle._yaw += 1.0  # on other ground it is another mesh
+        assert not np.array_equal(castle._kept(name, make)[0].vertices, mesh.vertices)

@@ -8,6 +8,7 @@ displays themselves are asked, before glfw is imported, by connecting to them.
 
 import ctypes
 import functools
+import importlib.util
 import os
 import socket
 import sys
@@ -30,7 +31,8 @@ LIBRARIES = {
         "libEGL.so.1": "libegl1",
     },
 }
-CHOICE = "PYGLFW_LIBRARY_VARIANT"  # read by the package glfw when it is imported
+# Read by the package glfw when it is imported.
+CHOICE, LIBRARY = "PYGLFW_LIBRARY_VARIANT", "PYGLFW_LIBRARY"
 
 
 def problem(kind: str, environment: Mapping[str, str]) -> str:
@@ -77,10 +79,11 @@ def import_glfw() -> Any:
 
     A choice that the user made with the package's own variables is left alone.
     """
-    own = {CHOICE, "PYGLFW_LIBRARY"} & os.environ.keys()
-    kind = "" if own or sys.platform != "linux" or "glfw" in sys.modules else choose(os.environ)[0]
-    if kind:
-        os.environ[CHOICE] = kind
+    own = {CHOICE, LIBRARY} & os.environ.keys()
+    given: dict[str, str] = {}
+    if not own and sys.platform == "linux" and "glfw" not in sys.modules:
+        given = _choice(choose(os.environ)[0])
+    os.environ.update(given)
     try:
         import glfw
     except ImportError as error:
@@ -88,10 +91,24 @@ def import_glfw() -> Any:
             "GLFW cannot be loaded ({error}): install the Python package glfw", error=error
         ) from None
     finally:
-        if kind:
+        for name in given:
             # A program started from here may have another display.
-            del os.environ[CHOICE]
+            del os.environ[name]
     return glfw
+
+
+def _choice(kind: str) -> dict[str, str]:
+    """Return the variables by which glfw takes its library for "x11", "wayland" or ""; {} for "".
+
+    The library is named where the package has it inside: to look for others, it starts a Python
+    for each, to ask it for its version.
+    """
+    found = importlib.util.find_spec("glfw")
+    inside = found.submodule_search_locations if kind and found is not None else None
+    library = Path(inside[0], kind, "libglfw.so") if inside else None
+    if library is not None and library.is_file():
+        return {LIBRARY: str(library)}
+    return {CHOICE: kind} if kind else {}
 
 
 def _wayland_socket(environment: Mapping[str, str]) -> Path | None:

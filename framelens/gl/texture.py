@@ -12,12 +12,24 @@ def mean(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     return (one | other) - ((one ^ other) >> 1)
 
 
+def mean_of_texels(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Return the mean of two arrays of texels of four bytes, uint32, each byte rounded up."""
+    halves = one ^ other
+    halves >>= np.uint32(1)
+    halves &= np.uint32(0x7F7F7F7F)  # what has come from the next byte is no part of this one
+    both = one | other
+    both -= halves
+    return both
+
+
 def mip_levels(image: np.ndarray) -> list[np.ndarray]:
     """Return an image, uint8 (h, w, c) with powers of two for sides, and its levels down to 1 x 1.
 
     A texel is the mean of two rows of two texels. Each mean is rounded up, which makes the levels
     the same, byte for byte, as those that llvmpipe makes (GL_GENERATE_MIPMAP, OpenGL 1.4).
     """
+    if image.shape[2] == 4:
+        return _levels_of_texels(image)
     levels = [image]
     while max(image.shape[:2]) > 1:
         height, width, channels = image.shape
@@ -29,6 +41,19 @@ def mip_levels(image: np.ndarray) -> list[np.ndarray]:
         if height > 1:
             image = mean(image[::2], image[1::2])
         levels.append(image)
+    return levels
+
+
+def _levels_of_texels(image: np.ndarray) -> list[np.ndarray]:
+    """Return the same as :func:`mip_levels`, of an image of four channels: the four at once."""
+    levels = [image]
+    texels = np.ascontiguousarray(image).view(np.uint32)[..., 0]
+    while max(texels.shape) > 1:
+        if texels.shape[1] > 1:
+            texels = mean_of_texels(texels[:, ::2], texels[:, 1::2])
+        if texels.shape[0] > 1:
+            texels = mean_of_texels(texels[::2], texels[1::2])
+        levels.append(texels[..., None].view(np.uint8))
     return levels
 
 

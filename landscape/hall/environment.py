@@ -28,6 +28,7 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, flat_projection
 from landscape.frame import Frame, Pose
 from landscape.gl.cube_map import CubeMap, generate, texture_matrix
+from landscape.gl.features import possible
 from landscape.gl.texture_target import TextureTarget
 from landscape.hall.settings import Settings
 
@@ -174,6 +175,11 @@ class Environment:
         groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT | gl.GL_COLOR_BUFFER_BIT
         groups |= gl.GL_DEPTH_BUFFER_BIT | gl.GL_POLYGON_BIT | gl.GL_STENCIL_BUFFER_BIT
         with self._ball.drawing(clear=False), attrib(groups), flat_projection():
+            # The map is kept: it must not depend on the frame that happens to need it first, be it
+            # a wireframe or one of a walk that is drawn interlaced (walk/stretch.py).
+            gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)
+            if possible("sharper textures"):
+                gl.glTexEnvf(gl.GL_TEXTURE_FILTER_CONTROL, gl.GL_TEXTURE_LOD_BIAS, 0.0)
             for name in ("DEPTH_TEST", "STENCIL_TEST", "LIGHTING", "CULL_FACE", "CLIP_PLANE0"):
                 gl.glDisable(getattr(gl, f"GL_{name}"))
             gl.glColor3f(1.0, 1.0, 1.0)

@@ -1,11 +1,14 @@
 """The frame loop: frame after frame, live or from a recording."""
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from landscape.walk.app import Walk
-from landscape.walk.course import Course
 from landscape.walk.recording import Tick, Writer
 from landscape.walk.waiting import Left
+
+if TYPE_CHECKING:
+    from landscape.walk.course import Course
 
 
 def run(
@@ -13,7 +16,7 @@ def run(
     ticks: Iterator[Tick] | None = None,
     writer: Writer | None = None,
     frames: int | None = None,
-    course: Course | None = None,
+    course: "Course | None" = None,
 ) -> int:
     """Walk live or replay ``ticks``, for at most ``frames`` frames; return how many were drawn.
 

@@ -12,20 +12,18 @@ from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
 from framelens.gl.glfw_library import glfw
 from framelens.tape.edit_files import read as read_edits
 from landscape.files.assets import Assets, recording
-from landscape.flyover.environment import open_environment
 from landscape.scene.scene import SEED, Scene, SceneSettings, View, scene
 from landscape.settings import declare
 from landscape.walk import words
 from landscape.walk.app import Walk
 from landscape.walk.builder import WorldFile
-from landscape.walk.course import Course
 from landscape.walk.landmarks import Found
 from landscape.walk.landmarks_list import Teller, nothing_told
 from landscape.walk.loop import run
 from landscape.walk.pace import FPS
 from landscape.walk.preferences import Preferences
 from landscape.walk.recording import Plan, Writer, read
-from landscape.walk.speaker import Speaker
+from landscape.walk.speaker import Speaker, is_installed
 from landscape.walk.title import SIZE, TO_TITLE
 from landscape.walk.waiting import Left
 
@@ -82,9 +80,14 @@ def walk(
         )
     if path is not None and (record is not None or replay is not None):
         raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
-    environment = open_environment(path) if path is not None else None
-    for line in environment.notices if environment and not quiet else ():
-        print(f"landscape: {line}", file=sys.stderr)
+    environment = None
+    if path is not None:
+        # A walk without a path begins sooner without the fly-over's modules.
+        from landscape.flyover.environment import open_environment
+
+        environment = open_environment(path)
+        for line in environment.notices if not quiet else ():
+            print(f"landscape: {line}", file=sys.stderr)
     ticks = None
     if replay is not None:
         plan, recorded = read(recording(replay))
@@ -136,7 +139,7 @@ def walk(
             context=context,
             world=kept_world,
             preferences=preferences,
-            speaker=Speaker if listens else None,
+            speaker=Speaker if listens and is_installed() else None,
             titled=context is not None,
             keeps=live,
             found=(Found() if record is not None or found is None else found) if live else None,
@@ -144,6 +147,8 @@ def walk(
         ) as opened:
             course = None
             if environment is not None:
+                from landscape.walk.course import Course
+
                 course = Course(environment, opened.place.scene, settings, plan.language)
             run(opened, ticks, writer, frames, course)
         if opened.resizer.refused and not quiet:

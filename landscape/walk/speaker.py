@@ -9,6 +9,7 @@ No device is a normal state: a computer without a sound card, or without miniaud
 silence, and nothing is said about it.
 """
 
+import importlib.util
 import os
 import sys
 from collections.abc import Generator, Iterator
@@ -70,6 +71,11 @@ class Ring:
             self._last = out[-1].astype(np.float64)
         self._starved = found < count
         return out
+
+
+def is_installed() -> bool:
+    """Return whether miniaudio is installed: without it, no sound need be made."""
+    return importlib.util.find_spec("miniaudio") is not None
 
 
 class Speaker:

@@ -8,6 +8,7 @@ Not in the report; switch ``castle.weathered``.
 State used: as ornate_castle.py; alpha test, polygon offset.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -24,7 +25,7 @@ from landscape.elements.best.castle.blocks import (
     add_quoins,
     add_steps,
 )
-from landscape.elements.best.castle.footing import ground_marks, rubble
+from landscape.elements.best.castle.footing import Ground, ground_marks, rubble
 from landscape.elements.best.castle.grain import grain, grained
 from landscape.elements.best.castle.growth import leaves
 from landscape.elements.best.castle.ivy import PER_LEAF, remembered_leaves, remembered_shade
@@ -96,7 +97,7 @@ class WeatheredCastle(OrnateCastle):
         self._grain_list = DisplayList(lambda: draw_mesh(bare))
         self._stones_list = DisplayList(self._send_stones)
         self._ivy = Texture(read_image(assets.path("castle_ivy.png")), repeat=False)
-        growth, tints = leaves(self._ground_at)
+        growth, tints = self._kept("leaves", leaves)
         self._leaves_list = DisplayList(lambda: self._send_leaves(growth, tints))
         self._ivy_list = DisplayList(lambda: self._send_ivy(growth, tints))
         self._shade_list = DisplayList(lambda: self._send_shade(growth))
@@ -124,6 +125,20 @@ class WeatheredCastle(OrnateCastle):
         made_from = repr((castle.yaw, castle.torches, sun))
         (found,) = recall([name, made_from, vertices.tobytes()], make)
         return np.maximum(found, LEAST)
+
+    def _kept(
+        self, name: str, make: Callable[[Ground], tuple[Mesh, np.ndarray]]
+    ) -> tuple[Mesh, np.ndarray]:
+        """Return a mesh that ``make`` lays on the ground, and its tints (n, 3), from the cache."""
+
+        def arrays() -> tuple[np.ndarray, ...]:
+            mesh, tints = make(self._ground_at)
+            return tints, mesh.vertices, mesh.normals, mesh.triangles, *mesh.coordinates
+
+        where = repr((self.base, self._yaw))
+        kept = recall([name, where, *self._field.made_from], arrays)
+        tints, vertices, normals, triangles, *coordinates = kept
+        return Mesh(vertices, normals, triangles, tuple(coordinates)), tints
 
     def _send_roofs(self) -> None:
         self._slates.bind()
@@ -153,7 +168,7 @@ class WeatheredCastle(OrnateCastle):
         add_steps(steps, float(self._ground_at(np.array([[0.5, -0.05]]))[0]))
         laid, tints = steps.mesh(self._repeat)
         draw_mesh(self._lit("steps", laid, tints, worn=False))
-        fallen, tints = rubble(self._ground_at)
+        fallen, tints = self._kept("rubble", rubble)
         gl.glShadeModel(gl.GL_FLAT)  # broken stones have facets
         draw_mesh(self._lit("rubble", fallen, tints, worn=False))
 
@@ -187,7 +202,11 @@ class WeatheredCastle(OrnateCastle):
         castle, sun = self.settings.castle, self.settings.sun
         vertices, colours, triangles = ground_marks(self._ground_at)
         up = np.tile([0.0, 1.0, 0.0], (len(vertices), 1))
-        light = arriving(vertices.astype(float), up, sun, castle.yaw, castle.torches)
+        made_from = repr((castle.yaw, castle.torches, sun))
+        (light,) = recall(
+            ["ground marks", made_from, vertices.tobytes()],
+            lambda: (arriving(vertices.astype(float), up, sun, castle.yaw, castle.torches),),
+        )
         colours[:, :3] *= np.clip(light, 0.3, 1.2) * painted(sun, direction(sun)[1])
         with client_arrays(vertices, None, colours):
             gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)

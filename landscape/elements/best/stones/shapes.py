@@ -5,12 +5,13 @@ They stand in a row in ``stones.ply``, coarser ones, for farther away, in rows b
 broken, and where the axis changes along which the texture is projected.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
 
 from framelens.base.errors import InputError
+from landscape.files.cache import content, recall
 from landscape.files.meshes import read_colours, read_mesh
 from landscape.geometry.mesh import vertex_normals
 
@@ -66,6 +67,20 @@ def read_shapes(path: Path) -> list[list[Shape]]:
             levels.append(split(own, faces, colours[mine, 0] / np.float32(255.0), k))
         found.append(levels)
     return found
+
+
+def kept_shapes(path: Path) -> list[list[Shape]]:
+    """Return what :func:`read_shapes` does, from the cache if the file was read before."""
+
+    def make() -> tuple[np.ndarray, ...]:
+        found = read_shapes(path)
+        arrays = (array for levels in found for shape in levels for array in vars(shape).values())
+        return np.array([len(levels) for levels in found]), *arrays
+
+    counts, *arrays = recall(["shapes of stones", content(path)], make)
+    each = len(fields(Shape))
+    shapes = iter([Shape(*arrays[k : k + each]) for k in range(0, len(arrays), each)])
+    return [[next(shapes) for _ in range(count)] for count in counts.tolist()]
 
 
 def split(vertices: np.ndarray, triangles: np.ndarray, openness: np.ndarray, k: int) -> Shape:

@@ -22,7 +22,7 @@ from framelens.gl.texture import Texture
 from landscape.elements.best.stones import FILE, wanted
 from landscape.elements.best.stones.bodies import VERTEX, Bodies, bodies
 from landscape.elements.best.stones.scattering import strewn
-from landscape.elements.best.stones.shapes import KINDS, LOG, first_shape, read_shapes
+from landscape.elements.best.stones.shapes import KINDS, LOG, first_shape, kept_shapes
 from landscape.elements.best.terrain.shadows import ShadowMap, cast_points
 from landscape.elements.element import Element, Site
 from landscape.elements.ground import Ground
@@ -95,7 +95,7 @@ class Stones(Element[Settings]):
         self._ground = ground
         self._seed = seed
         path = assets.path(FILE)
-        shapes = read_shapes(path)
+        shapes = kept_shapes(path)
         what = "stones", repr((made_from(settings), seed)), content(path)
         files = settings.ground.height_image, settings.ground.large_texture
 

@@ -25,6 +25,7 @@ from landscape.elements.settings import Settings
 from landscape.elements.sun import direction
 from landscape.elements.sword import ASPECT, Sword, pictures
 from landscape.files.assets import Assets
+from landscape.files.cache import content, recall
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
@@ -156,7 +157,7 @@ class ShiningSword(Sword[Settings]):
             return
         self._around = CubeMap(light_around(settings, assets))
         for path in pictures(assets):
-            mask = steel(read_image(path))
+            (mask,) = recall(["steel", content(path)], lambda path=path: (steel(read_image(path)),))
             found = blade(mask)
             self._masks.append(Texture(mask, repeat=False))
             self._strips.append(DisplayList(partial(self._send, found)) if found else None)

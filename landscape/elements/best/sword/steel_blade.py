@@ -312,7 +312,8 @@ class SteelBlade(ShiningSword):
         path = pictures(assets)[0]
         (cut,) = recall(["hilt", content(path)], lambda: (finer(without_blade(read_image(path))),))
         hilt = Texture(cut, repeat=False)
-        self._hilt, self._scratched = hilt, Texture(scratches())
+        (scratched,) = recall(["scratches"], lambda: (scratches(),))
+        self._hilt, self._scratched = hilt, Texture(scratched)
         self._mirrored = CubeMap(mirrored_light(settings, assets))
         self._owned = [hilt, self._scratched, self._mirrored]
         self._covered = DisplayList(partial(send_covered, cut[..., 3]))
