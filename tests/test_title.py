@@ -10,6 +10,7 @@ import pytest
 from commands import SECONDS, environment, python
 from PIL import Image
 
+from framelens.inspector.panel import KEYS
 from landscape.cli import parse
 from landscape.commands.walk import meets_title
 from landscape.files import cache
@@ -77,6 +78,30 @@ def test_the_chosen_row_is_seen_in_every_window(size: tuple[int, int]) -> None:
             assert 0 <= top < end <= size[1]
             assert drawn.at(5, (top + end) / 2) == chosen
             assert drawn.at(5, -1) is None and drawn.at(size[0], top) is None
+
+
+def test_a_sign_says_how_many_rows_a_list_goes_on_for_and_leads_there() -> None:
+    size = 1280, 720
+    rows = [Row(f"number {k}") for k in range(30)]
+    drawn = title_image("Views", rows, 0, "how to choose", size)
+    count = len(drawn.places) - 1
+    assert 5 < count < 29 and drawn.first == 0
+
+    # Down to the last row that is seen nothing moves; one further, and all move by one.
+    last = title_image("Views", rows, count - 1, "how to choose", size, first=0)
+    assert last.places == drawn.places
+    after = title_image("Views", rows, count, "how to choose", size, first=last.first)
+    assert after.first == 1 and set(after.places) == {*range(count + 2)}
+
+    # The signs are at the places of the rows before and behind those that are seen.
+    whole = title_image("Views", rows[:count], 0, "how to choose", size)
+    assert set(whole.places) == {*range(count)}
+    for shown, sign in ((drawn, count), (after, 0), (after, count + 1)):
+        top, end = shown.places[sign]
+        area = shown.image[top:end, : shown.width, :3].astype(int)
+        assert (np.abs(area - KEYS).max(axis=2) < 40).sum() > 20, sign
+    top, end = drawn.places[count]
+    assert (np.abs(whole.image[top:end, : whole.width, :3].astype(int) - KEYS).max(2) > 40).all()
 
 
 def test_a_picture_fills_windows_of_all_sizes(tmp_path: Path) -> None:

@@ -317,6 +317,13 @@ class Title:
             self._go(found)
         return found is not None
 
+    def wheel(self, up: float) -> None:
+        """Choose an entry further up, or down for a negative number, up to the end of the list."""
+        if self.wishes.open or not up:
+            return
+        step = -1 if up > 0 else 1
+        self._go(min(max(self.index + step, 0), len(self.entries) - 1))
+
     def click(self, x: float, y: float) -> None:
         """Do what is at a place in the window's coordinates."""
         if not self.point(x, y):
@@ -358,7 +365,9 @@ class Title:
         self._dpi = enlarged(size, max(glfw.get_window_content_scale(self._context.window)), larger)
         lines = [Row(each.text, each.beside) for each in self.entries]
         heading, dpi = self.level.heading, self._dpi
-        self._drawn = title_image(heading, lines, self.index, below, size, dpi, entry.picture)
+        first = self._drawn.first if self._drawn is not None else 0
+        listed = heading, lines, self.index, below, size, dpi, entry.picture
+        self._drawn = title_image(*listed, first=first)
         self._context.make_current()
         self._release_plate()
         self._plate = Plate(self._drawn.image)
@@ -388,6 +397,7 @@ class Title:
         glfw.set_key_callback(window, lambda _, key, __, action, ___: self.key(key, action))
         glfw.set_cursor_pos_callback(window, lambda _, x, y: self.point(x, y))
         glfw.set_mouse_button_callback(window, self._clicked)
+        glfw.set_scroll_callback(window, lambda _, __, up: self.wheel(up))
 
         try:
             while self.choice is None and not self.left:
@@ -402,6 +412,7 @@ class Title:
             glfw.set_key_callback(window, None)
             glfw.set_cursor_pos_callback(window, None)
             glfw.set_mouse_button_callback(window, None)
+            glfw.set_scroll_callback(window, None)
             self.release()
         return self.choice
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageDraw, UnidentifiedImageError
+from PIL import Image, ImageDraw, ImageFont, UnidentifiedImageError
 
 from framelens.base.fonts import font, writable
 from framelens.inspector.panel import KEYS, SMALLEST, TITLE, WORDS, text_size, wrapped
@@ -32,12 +32,14 @@ class Drawn:
     """The title's picture, uint8 (h, w, 4), and which rows of the window each entry fills.
 
     ``places`` are (first, end) in pixels from the top, by the entry's number; ``width`` is how far
-    they reach from the left.
+    they reach from the left. ``first`` is the number of the first entry that is shown; what is
+    beyond is announced by a sign, whose place is that of the next entry there.
     """
 
     image: np.ndarray
     places: dict[int, tuple[int, int]]
     width: int
+    first: int = 0
 
     def at(self, x: float, y: float) -> int | None:
         """Return the number of the entry at a place in pixels from the top left, if any."""
@@ -72,11 +74,13 @@ def title_image(
     size: tuple[int, int],
     dpi: float = 1.0,
     behind: Path | None = None,
+    first: int = 0,
 ) -> Drawn:
     """Render the title for a window of ``size`` pixels.
 
     ``below`` are paragraphs: how to choose, what went wrong, or a text to be read; ``behind`` is a
-    picture of what is chosen.
+    picture of what is chosen. Where not all rows fit, ``first`` is the first one that was shown so
+    far: they move only if the chosen one is not among them.
     """
     image = covering(behind, size)
     for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
@@ -93,7 +97,7 @@ def title_image(
     ]
     around = 4 * edge + len(notes) * line
     count = max(min(len(rows), (round(TALLEST * size[1]) - around) // line), 1)
-    first = max(min(chosen - count // 2, len(rows) - count), 0)
+    first = max(min(first, chosen, len(rows) - count), chosen - count + 1, 0)
 
     plate = Image.new("RGBA", size, (0, 0, 0, 0))
     draw = ImageDraw.Draw(plate)
@@ -102,6 +106,9 @@ def title_image(
     draw.text((edge, y), writable(heading, large), TITLE, large, "la")
     y += 2 * edge
     places = {}
+    if first > 0:
+        places[first - 1] = (y - line, y)
+        _announce(draw, first, True, (width - edge, y - line // 2), face)
     for number in range(first, first + count):
         row = rows[number]
         places[number] = (y, y + line)
@@ -112,8 +119,29 @@ def title_image(
         draw.text((edge, middle), writable(row.text, face), WORDS, face, "lm")
         draw.text((width - edge, middle), writable(row.beside, face), KEYS, face, "rm")
         y += line
+    if hidden := len(rows) - first - count:
+        places[first + count] = (y, y + line)
+        _announce(draw, hidden, False, (width - edge, y + line // 2), face)
     y += edge
     for note in notes:
         draw.text((edge, y), note, KEYS, face, "la")
         y += line
-    return Drawn(np.asarray(Image.alpha_composite(image, plate)), places, width)
+    return Drawn(np.asarray(Image.alpha_composite(image, plate)), places, width, first)
+
+
+def _announce(
+    draw: ImageDraw.ImageDraw,
+    count: int,
+    above: bool,
+    right: tuple[int, int],
+    face: ImageFont.FreeTypeFont,
+) -> None:
+    """Draw how many rows there are beyond an end of the list: a number and an arrow.
+
+    ``right`` is the middle of their right edge in pixels.
+    """
+    half = max(round(face.size / 3), 1)
+    x, y = right[0] - half, right[1]
+    tip, foot = (y - half, y + half) if above else (y + half, y - half)
+    draw.polygon(((x - half, foot), (x + half, foot), (x, tip)), KEYS)
+    draw.text((x - 2 * half, y), str(count), KEYS, face, "rm")
