@@ -188,6 +188,16 @@ def test_escape_first_releases_the_mouse_and_then_quits() -> None:
     assert hands.orders == ["release", "quit"]
 
 
+@pytest.mark.parametrize("key", [glfw.KEY_F2, glfw.KEY_B, glfw.KEY_I])
+def test_escape_shuts_what_is_only_opened_in_the_next_frame(key: int) -> None:
+    hands = Hands()
+    hands.key(key, PRESS)
+    hands.key(glfw.KEY_ESCAPE, PRESS)
+    assert hands.orders == []
+    hands.key(glfw.KEY_ESCAPE, PRESS)
+    assert hands.orders == ["quit"]
+
+
 def test_losing_the_focus_releases_keys_and_mouse() -> None:
     hands = Hands()
     hands.capture(True)

@@ -306,6 +306,17 @@ for language in ("en", "fr"):
             walk.advance(Tick(0.02, Intent(forward=1.0, run=True), (), (40, 30)))
         for _ in range(60):
             walk.advance(Tick(0.02, Intent(forward=-1.0, run=True), (), (40, 30)))
+
+# One dives where water is more than a surface.
+class Deep(Heard):
+    def _open(self, plan):
+        super()._open(plan)
+        self.place.scene.bed = lambda x, z: -1.0
+
+plan = Plan("island", values, "", Pose(24.0, None, 31.0, 180.0), (40, 30), only=("ground",))
+with Deep(plan, Assets(), "osmesa") as walk:
+    for _ in range(25):
+        walk.advance(Tick(0.02, Intent(forward=1.0, run=True), (), (40, 30)))
 print(json.dumps(said))
 """
 
@@ -317,6 +328,7 @@ def test_deep_water_and_the_edge_of_the_map_are_said() -> None:
     assert said == [
         *("deep water: swimming", "the edge of the map", "back on foot"),
         *("eau profonde\u00a0: à la nage", "le bord de la carte", "de nouveau à pied"),
+        "deep water: swimming  (F, then C: dive)",
     ]
 
 
@@ -705,6 +717,39 @@ with Walk(plan, Assets(), "osmesa") as walk:
         walk.draw()
 print(json.dumps(seen))
 """
+
+
+ESCAPED = """
+import json
+import glfw
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.scene.scene import scene
+from landscape.walk.app import Walk
+from landscape.walk.recording import Plan
+
+hall = scene("hall")
+plan = Plan("hall", hall.settings, "", Pose(1.6, None, 2.6), (160, 120), only=("floor",))
+seen = []
+with Walk(plan, Assets(), "osmesa") as walk:
+    # In the third case both within one frame, as while a scene is built again.
+    h, escape = glfw.KEY_H, glfw.KEY_ESCAPE
+    for keys in [h], [escape], [h, escape], [escape]:
+        for key in keys:
+            walk.hands.key(key, glfw.PRESS)
+        tick = walk.listen()
+        seen.append(None if tick is None else list(tick.actions))
+        if tick is not None:
+            walk.advance(tick)
+            seen.append(walk._help)
+print(json.dumps(seen))
+"""
+
+
+def test_escape_shuts_the_list_of_keys_before_it_ends_the_walk() -> None:
+    done = python(ESCAPED, env=environment(LANG="C"))
+    assert done.status == 0, done.err
+    assert json.loads(done.out) == [["help"], True, ["help"], False, ["help", "help"], False, None]
 
 
 @pytest.mark.seldom(4, first=2)

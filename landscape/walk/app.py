@@ -29,7 +29,7 @@ from landscape.elements.element import watched
 from landscape.files.assets import Assets
 from landscape.geometry.doors import Door
 from landscape.scene.landmarks import LANDMARKS
-from landscape.scene.scene import Moment, scene
+from landscape.scene.scene import Diveable, Moment, scene
 from landscape.settings import declare
 from landscape.settings.declare import Value
 from landscape.walk import pad, words
@@ -444,7 +444,9 @@ class Walk:
 
     def obey(self, order: str) -> None:
         """Carry out an order to the window; recordings do not contain orders."""
-        if order == "quit" and self._titled:
+        if order == "quit" and self._help != (self.hands.pressed("help") % 2 == 1):
+            self.hands.switch("help")  # who reads it wants to be back in the walk
+        elif order == "quit" and self._titled:
             self.to_title = True
         elif order == "quit":
             glfw.set_window_should_close(self.window, True)
@@ -519,7 +521,7 @@ class Walk:
         if self.walker.flying != before.flying:
             self._tell("fly", self.walker.flying)
         elif self.walker.swimming != before.swimming:
-            self._tell("swim", self.walker.swimming)
+            self._tell_swimming()
 
         if self.walker.at_edge and not before.at_edge:
             self._say(self._word("edge"))
@@ -528,6 +530,19 @@ class Walk:
         self._size = tick.size
         self._try_doors(tick.intent)
         self._hear()
+
+    def _tell_swimming(self) -> None:
+        """Say that one swims, and by which keys one dives where that is possible; or walks."""
+        walker, scene = self.walker, self.place.scene
+        at = walker.x, walker.z
+        dives = isinstance(scene, Diveable) and scene.bed(*at) < float(scene.height(*at))
+        if not (walker.swimming and dives and walker.body is None):
+            self._tell("swim", walker.swimming)
+            return
+        keymap = self.hands.keymap
+        fly = keymap.labels("fly", self._language, system_name)
+        down = keymap.labels("down", self._language, system_name)
+        self._say(self._word("swim.dive", fly=fly, down=down.partition(" ")[0]))
 
     def _hear(self) -> None:
         """Let the walker hear this frame, and see in words what he hears if he wants to."""

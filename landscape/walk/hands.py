@@ -24,6 +24,7 @@ TOOLS = {  # what a mouse button does in a scene of blocks
     glfw.MOUSE_BUTTON_RIGHT: "place",
     glfw.MOUSE_BUTTON_MIDDLE: "pick",
 }
+OPENING = "preferences", "landmarks", "inspector"  # orders that open what Escape shuts
 # Both in coordinates of a display of the usual resolution.
 DRAG = 5.0  # chosen; a motion with the button down that is longer is no click
 JUMP = 200.0  # chosen; a larger motion between two reports is a pointer jump: clamped
@@ -121,7 +122,7 @@ class Hands:
         self._held.add(key)
         self._tapped.add(key)
         if key == glfw.KEY_ESCAPE:
-            self.orders.append("release" if self.captured else "quit")
+            self._escape()
         elif name := self._action(key):
             if name == "list":
                 return None if self.inspecting else self._pick(name)
@@ -131,9 +132,23 @@ class Hands:
             to = self.orders if order else self._switches
             to.append(WITH_SHIFT.get(name, name) if mods & glfw.MOD_SHIFT else name)
 
+    def _escape(self) -> None:
+        """Note what Escape asks for: it shuts what will only be opened in the next frame, too."""
+        waiting = next((each for each in reversed(self.orders) if each in OPENING), None)
+        if waiting is not None:
+            self.orders.remove(waiting)
+        elif self.captured:
+            self.orders.append("release")
+        else:
+            self.orders.append("quit")
+
     def switch(self, name: str) -> None:
         """Note a switch as if its key were pressed."""
         self._switches.append(name)
+
+    def pressed(self, name: str) -> int:
+        """Return how often the key of a switch was pressed since the last frame."""
+        return self._switches.count(name)
 
     def _pick(self, picked: str) -> None:
         self.picks.append(picked)
