@@ -13,6 +13,7 @@ matrix.
 
 from collections.abc import Hashable
 from functools import partial
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -72,6 +73,10 @@ def steel(picture: np.ndarray) -> np.ndarray:
     found[[0, -1]] = 0
     found[:, [0, -1]] = 0
     return found
+
+
+def _steel_in(path: Path) -> tuple[np.ndarray]:
+    return (steel(read_image(path)),)
 
 
 def blade(mask: np.ndarray) -> Blade | None:
@@ -157,7 +162,7 @@ class ShiningSword(Sword[Settings]):
             return
         self._around = CubeMap(light_around(settings, assets))
         for path in pictures(assets):
-            (mask,) = recall(["steel", content(path)], lambda path=path: (steel(read_image(path)),))
+            (mask,) = recall(["steel", content(path)], partial(_steel_in, path))
             found = blade(mask)
             self._masks.append(Texture(mask, repeat=False))
             self._strips.append(DisplayList(partial(self._send, found)) if found else None)
