@@ -654,20 +654,7 @@ def _within(draw: Drawn, name: str) -> bool:
 
 def _emission(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     """Yield that an emission set for one thing is still in force for others."""
-    glowing = [d for d in mine if max(d.state["GL_FRONT.GL_EMISSION"][:3]) > 0.05]
-    left = []
-    for draw in glowing:
-        setter = draw.setter("GL_FRONT.GL_EMISSION")
-        own = draw.setter("GL_FRONT.GL_DIFFUSE")
-        if setter is None or setter.site.function == draw.call.site.function:
-            continue
-        if draw.chain and any(name == setter.site.function for name, _ in draw.chain):
-            continue
-        users = [d for d in mine if d.setter("GL_FRONT.GL_EMISSION") is setter]
-        first = users[0].call.site.function == setter.site.function
-        if first or (own is not None and own.number > setter.number):
-            left.append(draw)
-
+    left = _left_glowing(mine)
     if left:
         setter = left[0].setter("GL_FRONT.GL_EMISSION")
         yield Suspect(
@@ -684,6 +671,24 @@ def _emission(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
             values={"later": left[0].call.site.line},
             draws=left,
         )
+
+
+def _left_glowing(mine: Sequence[Drawn]) -> list[Drawn]:
+    """Return the draws with an emission that another function has set for something else."""
+    glowing = [d for d in mine if max(d.state["GL_FRONT.GL_EMISSION"][:3]) > 0.05]
+    left = []
+    for draw in glowing:
+        setter = draw.setter("GL_FRONT.GL_EMISSION")
+        own = draw.setter("GL_FRONT.GL_DIFFUSE")
+        if setter is None or setter.site.function == draw.call.site.function:
+            continue
+        if draw.chain and any(name == setter.site.function for name, _ in draw.chain):
+            continue
+        users = [d for d in mine if d.setter("GL_FRONT.GL_EMISSION") is setter]
+        first = users[0].call.site.function == setter.site.function
+        if first or (own is not None and own.number > setter.number):
+            left.append(draw)
+    return left
 
 
 def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:

@@ -596,8 +596,12 @@ def unbalanced(survey: Survey) -> Iterator[Suspect]:
                     state="GL_MODELVIEW_STACK_DEPTH",
                 )
 
-    if not pushes:
-        return
+    if pushes:
+        yield from _never_popped(survey, pushes)
+
+
+def _never_popped(survey: Survey, pushes: list[Call]) -> Iterator[Suspect]:
+    """Yield where the glPopMatrix of ``pushes`` may be missing."""
     change = _popped(survey)
     if change is not None:
         yield _without_pop(pushes, change, 84)

@@ -257,23 +257,27 @@ def _not_numbers(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
     )
 
 
+def _scaled_by_zero(draw: Drawn, call: Call) -> Suspect:
+    """Suspect a glScale with a factor of 0; the change makes that 1."""
+    args = tuple(float(a) or 1.0 for a in call.args)
+    return Suspect(
+        "zero-scale",
+        at=call,
+        change=Change(instead={str(call.number): [(call.name, args)]}),
+        strength=94,
+        state="GL_MODELVIEW_MATRIX",
+        value=[float(a) for a in call.args],
+        values={"call": written(call)},
+        draws=[draw],
+    )
+
+
 def _flat(draw: Drawn, found: Vertices) -> Iterator[Suspect]:
     """Yield why a draw has no area: a scale by 0, or all vertices in one point or line."""
     chain = draw.setters.chained.get("GL_MODELVIEW_MATRIX", [])
     zero = [c for c in chain if c.name.startswith("glScale") and 0.0 in [float(a) for a in c.args]]
     if zero:
-        call = zero[-1]
-        args = tuple(float(a) or 1.0 for a in call.args)
-        yield Suspect(
-            "zero-scale",
-            at=call,
-            change=Change(instead={str(call.number): [(call.name, args)]}),
-            strength=94,
-            state="GL_MODELVIEW_MATRIX",
-            value=[float(a) for a in call.args],
-            values={"call": written(call)},
-            draws=[draw],
-        )
+        yield _scaled_by_zero(draw, zero[-1])
         return
 
     points = found.positions[:, :3]

@@ -18,7 +18,7 @@ from landscape.commands.common import (
 from landscape.files.assets import Assets
 from landscape.scene.scene import find_view, placed, raised, scene
 from landscape.sound.mixer import mix
-from landscape.sound.score import standing
+from landscape.sound.score import Score, standing
 from landscape.sound.signal import RATE, decibels, rms
 from landscape.sound.soundscape import Ear
 from landscape.sound.wave_file import write_wave
@@ -66,6 +66,16 @@ def run(options: argparse.Namespace) -> int:
         raise InputError("--out {out}: expected a name that ends in .wav", out=options.out)
     check_writable(options.out, "--out ")
 
+    samples = mix(_score(options), 0, round(options.seconds * RATE))
+    write_wave(options.out, samples)
+    notify(options, [f"{decibels(rms(samples)):.1f} dBFS, as the root of the mean square"])
+    if not options.quiet:
+        print(options.out)
+    return 0
+
+
+def _score(options: argparse.Namespace) -> Score:
+    """Return what there is to hear where the options let one stand."""
     kind, view = find_view(options.view or scene().start)
     settings = kind.values(
         options.preset or kind.preset_of(view), view.settings, given_changes(options, kind)
@@ -78,17 +88,10 @@ def run(options: argparse.Namespace) -> int:
 
     kt = view.kt if options.kt is None else options.kt
     volume = 0.0 if settings.sound.muted else settings.sound.volume
-    score = standing(
+    return standing(
         kind.sounds(settings, terrain),
         Ear(pose.x, pose.y, pose.z, pose.yaw, kt),
         options.seconds,
         settings.clock.kt_per_second,
         volume,
     )
-
-    samples = mix(score, 0, round(options.seconds * RATE))
-    write_wave(options.out, samples)
-    notify(options, [f"{decibels(rms(samples)):.1f} dBFS, as the root of the mean square"])
-    if not options.quiet:
-        print(options.out)
-    return 0

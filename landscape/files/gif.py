@@ -81,25 +81,26 @@ class GifFrames:
         """Write a frame, uint8 (h, w, 3)."""
         mixed = np.clip(pixels.astype(np.int16) + self._pattern, 0, 255) >> (8 - BITS)
         r, g, b = np.moveaxis(mixed, -1, 0)
-        numbers = self._nearest[(r << (2 * BITS)) + (g << BITS) + b]
-        sent = numbers
-        if self._before is not None:
-            shown, was = self._before
-            change = np.abs(pixels.astype(np.int16) - shown).max(axis=2)
-            same = (change <= SAME) | (numbers == was)
-            sent = np.where(same, np.uint8(COLORS), numbers)
-            # What counts as the same is still what was shown, so that slow changes add up.
-            shown = np.where((change <= SAME)[..., None], shown, pixels)
-            numbers = np.where(change <= SAME, was, numbers)
-            self._before = shown, numbers
-        else:
-            self._before = pixels, numbers
+        sent = self._changed(pixels, self._nearest[(r << (2 * BITS)) + (g << BITS) + b])
 
         # Rounded to where the frame begins and ends, so that the film is as long as it should be.
         begin, end = (round(100 * k / self._fps) for k in (self._number, self._number + 1))
         self._number += 1
         self._out.write(CONTROL + struct.pack("<BHBB", 0x05, end - begin, COLORS, 0))
         self._out.write(_compressed(sent))
+
+    def _changed(self, pixels: np.ndarray, numbers: np.ndarray) -> np.ndarray:
+        """Return the colours' numbers (h, w), with that of "as before" where little changes."""
+        if self._before is None:
+            self._before = pixels, numbers
+            return numbers
+        shown, was = self._before
+        change = np.abs(pixels.astype(np.int16) - shown).max(axis=2)
+        same = (change <= SAME) | (numbers == was)
+        # What counts as the same is still what was shown, so that slow changes add up.
+        still = change <= SAME
+        self._before = np.where(still[..., None], shown, pixels), np.where(still, was, numbers)
+        return np.where(same, np.uint8(COLORS), numbers)
 
 
 def frame_count(data: bytes) -> int:

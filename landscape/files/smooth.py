@@ -18,16 +18,20 @@ NOISE = 0.7  # levels, chosen: enough to hide the rounding to whole levels
 SEED = 71  # chosen
 
 
-def smoothed(picture: np.ndarray) -> np.ndarray:
-    """Return a picture, uint8 (h, w, 3), whose gradients have no steps; both sides >= 5."""
+def _sums_around(picture: np.ndarray) -> np.ndarray:
+    """Return for each pixel the sum, int16, of those at most REACH away to each side."""
     sides = ((REACH, REACH), (REACH, REACH), (0, 0))
     # Odd: a gradient continues beyond the edge, so that the mean there is the edge's own colour.
     padded = np.pad(picture.astype(np.int16), sides, mode="reflect", reflect_type="odd")
     total = np.clip(padded, 0, 255)
     height, width = picture.shape[:2]
     total = np.sum([total[k : k + height] for k in range(2 * REACH + 1)], axis=0, dtype=np.int16)
-    total = np.sum([total[:, k : k + width] for k in range(2 * REACH + 1)], axis=0, dtype=np.int16)
-    away = np.float32(1 / (2 * REACH + 1) ** 2) * total - picture
+    return np.sum([total[:, k : k + width] for k in range(2 * REACH + 1)], axis=0, dtype=np.int16)
+
+
+def smoothed(picture: np.ndarray) -> np.ndarray:
+    """Return a picture, uint8 (h, w, 3), whose gradients have no steps; both sides >= 5."""
+    away = np.float32(1 / (2 * REACH + 1) ** 2) * _sums_around(picture) - picture
     flat = np.clip(COARSE - np.abs(away).max(axis=2, keepdims=True), 0.0, 1.0)
     noise = np.random.default_rng(SEED).random((*picture.shape[:2], 1), np.float32) - 0.5
     return np.clip(np.rint(picture + flat * (away + NOISE * noise)), 0, 255).astype(np.uint8)

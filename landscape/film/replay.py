@@ -111,13 +111,7 @@ class Replay:
         if self._places is None or (self._next and seconds < self.ends[self._next - 1]):
             self._begin()
 
-        # The frame that ends at this time or after it; what happened until then has happened.
-        while self._next < len(self._ticks) and (
-            self._next == 0 or self.ends[self._next - 1] < seconds
-        ):
-            with self._stage.offscreen.targeted():
-                self.advance(self._ticks[self._next])
-            self._next += 1
+        self._carry_out(seconds)
 
         end = self.ends[self._next - 1] if self._next else 0.0
         length = self._ticks[self._next - 1].seconds if self._next else 0.0
@@ -130,6 +124,18 @@ class Replay:
             pose = between(then.walker.pose, pose, share)
         steps = walker.step, walker.stroke
         return Moment(pose, self._stage.size, kt, *steps, now.wireframe)
+
+    def _carry_out(self, seconds: float) -> None:
+        """Carry out the frames up to the one that ends at a time or after it.
+
+        What happened until then has happened.
+        """
+        while self._next < len(self._ticks) and (
+            self._next == 0 or self.ends[self._next - 1] < seconds
+        ):
+            with self._stage.offscreen.targeted():
+                self.advance(self._ticks[self._next])
+            self._next += 1
 
     def advance(self, tick: Tick) -> None:
         """Carry out one frame of the walk, as the window does."""

@@ -49,13 +49,7 @@ class BezierPath:
 
     def __init__(self, subpaths: Sequence[np.ndarray]) -> None:
         """Sample sub-paths, each (n, 4, d): n >= 1 cubics of which each starts where one ends."""
-        t = np.linspace(0, 1, CHORDS + 1)
-        parts = []
-        for curves in subpaths:
-            sampled = np.stack([evaluate(curve, t) for curve in curves])
-            # The end of a curve is the start of the next, and is kept once.
-            inner = sampled[:, :-1].reshape(-1, sampled.shape[2])
-            parts.append(np.concatenate([inner, sampled[-1, -1:]]))
+        parts = [_sampled(curves) for curves in subpaths]
         self._points = np.concatenate(parts)
         chords = np.linalg.norm(np.diff(self._points, axis=0), axis=1)
         first = np.cumsum([0] + [len(each) for each in parts])  # each sub-path's first point
@@ -83,3 +77,12 @@ class BezierPath:
         """
         columns = [np.interp(distance, self._distances, column) for column in self._points.T]
         return np.stack(columns, axis=-1)
+
+
+def _sampled(curves: np.ndarray) -> np.ndarray:
+    """Return points (m, d) along a sub-path (n, 4, d), CHORDS to a curve and one for its end."""
+    t = np.linspace(0, 1, CHORDS + 1)
+    sampled = np.stack([evaluate(curve, t) for curve in curves])
+    # The end of a curve is the start of the next, and is kept once.
+    inner = sampled[:, :-1].reshape(-1, sampled.shape[2])
+    return np.concatenate([inner, sampled[-1, -1:]])

@@ -103,6 +103,17 @@ def faceted(mesh: Mesh) -> Mesh:
     )
 
 
+def morton_codes(points: np.ndarray) -> np.ndarray:
+    """Return the places, int64 (n,), of points (n, 3) on a Morton curve through their cube."""
+    low, high = points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
+    cube = (points - low) / max(float((high - low).max(initial=0.0)), 1e-9) * 1023.0
+    code = np.zeros(len(cube), np.int64)
+    for bit in range(10):
+        for axis in range(3):
+            code |= (cube[:, axis].astype(np.int64) >> bit & 1) << (3 * bit + axis)
+    return code
+
+
 def gathered(mesh: Mesh) -> Mesh:
     """Return the mesh with its triangles sorted along a Morton curve, vertices by first use.
 
@@ -110,13 +121,7 @@ def gathered(mesh: Mesh) -> Mesh:
     space and in the list find their vertices there. The picture stays the same.
     """
     centres = mesh.vertices[mesh.triangles].mean(axis=1)
-    low, high = centres.min(axis=0, initial=np.inf), centres.max(axis=0, initial=-np.inf)
-    cube = (centres - low) / max(float((high - low).max(initial=0.0)), 1e-9) * 1023.0
-    code = np.zeros(len(cube), np.int64)
-    for bit in range(10):
-        for axis in range(3):
-            code |= (cube[:, axis].astype(np.int64) >> bit & 1) << (3 * bit + axis)
-    triangles = mesh.triangles[np.argsort(code, kind="stable")]
+    triangles = mesh.triangles[np.argsort(morton_codes(centres), kind="stable")]
     used, first = np.unique(triangles, return_index=True)
     order = used[np.argsort(first)]
     place = np.zeros(len(mesh.vertices), np.uint32)

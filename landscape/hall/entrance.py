@@ -57,17 +57,26 @@ def door() -> Door:
     return Door("door", *place, -1.0, plan.DOOR_TOP, "island", "castle", SIGNS["door"])
 
 
+def _meadow_columns(t: np.ndarray) -> np.ndarray:
+    """Return how far from the door's middle the columns are, in rows (n, 1) of 0..1: (n, 6).
+
+    A path with verges leads through the meadow, and bends.
+    """
+    near, far = HALF_PATH
+    half = near + (far - near) * t
+    wide = np.full_like(half, WIDE)
+    x = np.concatenate([-wide, -VERGE * half, -half, half, VERGE * half, wide], axis=1)
+    x[:, 1:-1] += BEND * np.sin(np.pi * t)
+    return x
+
+
 def meadow() -> tuple[np.ndarray, np.ndarray]:
     """Return the meadow's vertices (rows, columns, 3), from the door to the horizon, and colours.
 
     Columns run from the west to the east; the colours (rows, columns, 3) are RGB.
     """
     t = np.array(ROWS)[:, None]
-    near, far = HALF_PATH
-    half = near + (far - near) * t
-    wide = np.full_like(half, WIDE)
-    x = np.concatenate([-wide, -VERGE * half, -half, half, VERGE * half, wide], axis=1)
-    x[:, 1:-1] += BEND * np.sin(np.pi * t)
+    x = _meadow_columns(t)
     points = np.stack(
         [
             plan.AXIS + x,

@@ -89,16 +89,21 @@ REACH = [float(np.linalg.norm(each[2] - each[0])) / 2 for each in OPENINGS]
 Layer = tuple[float, tuple[float, float], tuple[float, float, float]]
 
 
+def _outwards() -> np.ndarray:
+    """Return the directions (n, 3) in which the vertices of the dome are, ring by ring."""
+    height = np.linspace(np.pi / 2, LOWEST, RINGS + 1)
+    turn = np.arange(SIDES + 1) * 2 * np.pi / SIDES
+    up, around = (grid.ravel() for grid in np.meshgrid(height, turn, indexing="ij"))
+    level = np.cos(up)
+    return np.stack([level * np.cos(around), np.sin(up), level * np.sin(around)], axis=1)
+
+
 def dome() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return vertices (n, 3), colours (n, 4) uint8, places on the ceiling (n, 2), triangles (m, 3).
 
     Triangles are counter-clockwise from below.
     """
-    height = np.linspace(np.pi / 2, LOWEST, RINGS + 1)
-    turn = np.arange(SIDES + 1) * 2 * np.pi / SIDES
-    up, around = (grid.ravel() for grid in np.meshgrid(height, turn, indexing="ij"))
-    level = np.cos(up)
-    out = np.stack([level * np.cos(around), np.sin(up), level * np.sin(around)], axis=1)
+    out = _outwards()
     ceiling = out[:, [0, 2]] / (np.maximum(out[:, 1], 0.0) + FLATNESS)[:, None]
     share = np.clip(out[:, 1:2], 0.0, 1.0) ** 0.6
     colors = np.full((len(out), 4), 255, np.uint8)
@@ -131,6 +136,11 @@ def openings_in_view(frame: Frame, vault: bool = True) -> tuple[int, int, int, i
     within = INSIDE.west < x < INSIDE.east and INSIDE.north < z < INSIDE.south
     if not (within and 0.0 < y < plan.CROWN):
         return 0, 0, *frame.viewport
+    return _around_openings(frame)
+
+
+def _around_openings(frame: Frame) -> tuple[int, int, int, int] | None:
+    """Return what of the picture, seen from within, holds all openings; None if there is none."""
     sign = -1.0 if frame.mirrored else 1.0
     found = []
     for corners, (along, up, across), reach in zip(OPENINGS, MIDDLES, REACH, strict=True):

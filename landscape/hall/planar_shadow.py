@@ -267,7 +267,10 @@ class PlanarShadow(Element[Settings]):
             gl.glColor4f(0.0, 0.0, 0.0, self.settings.shadow.strength / count)
             self._flatten(frame, receiver, point, "torch")
             gl.glDisable(gl.GL_POLYGON_OFFSET_FILL)
+        self._take_away(inside, receiver)
 
+    def _take_away(self, inside: int, receiver: Receiver) -> None:
+        """Take from a receiver the fraction of its light that destination alpha says."""
         self._mark(inside, receiver)
         self._pass_marked(inside, gl.GL_KEEP)
         gl.glColorMask(gl.GL_TRUE, gl.GL_TRUE, gl.GL_TRUE, gl.GL_FALSE)

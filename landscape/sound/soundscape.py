@@ -150,10 +150,7 @@ class Soundscape:
             parts.append(DROPS_LEVEL / (1.0 + away / 0.6) * sides[None])
 
         if self.room is not None:
-            air = np.zeros((2, 2, 2))
-            air[[0, 1], 0, [0, 1]] = AIR_LEVEL
-            air[[0, 1], 1, [0, 1]] = ECHO_LEVEL * min(len(self.fires), 8) / 8
-            parts.append(air.reshape(4, 2))
+            parts.append(self._air())
 
         if not parts:
             return np.zeros((0, 2), np.float32)
@@ -210,6 +207,13 @@ class Soundscape:
         table = np.zeros((2, 4, 2))
         table[0, :, 0], table[1, :, 1] = loud
         return table.reshape(8, 2)
+
+    def _air(self) -> np.ndarray:
+        """Return the amplitudes (4, 2) of a room's own sound, and of the echo of its fires."""
+        air = np.zeros((2, 2, 2))
+        air[[0, 1], 0, [0, 1]] = AIR_LEVEL
+        air[[0, 1], 1, [0, 1]] = ECHO_LEVEL * min(len(self.fires), 8) / 8
+        return air.reshape(4, 2)
 
     def _fire(self, ear: Ear, number: int) -> np.ndarray:
         away, relative = _seen_from(ear, self.fires[number])

@@ -296,8 +296,10 @@ class Land(Element[Settings]):
         if self._horizon is not None:
             for x, z in {cell[:2] for cell in blocks}:
                 self._horizon.change(x, z, self.world.blocks[x, z])
+        self._rebuild(np.array(list(blocks)))
 
-        cells = np.array(list(blocks))
+    def _rebuild(self, cells: np.ndarray) -> None:
+        """Build again what can be seen of the regions around changed blocks (n, 3)."""
         low, high = cells.min(axis=0).tolist(), (cells.max(axis=0) + 1).tolist()
         least, most = (np.array(end)[[0, 2, 1]] for end in (low, high))
         for region in regions_around(self.world, low, high):

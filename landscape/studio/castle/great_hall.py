@@ -148,17 +148,20 @@ def painted() -> np.ndarray:
     return np.asarray(np.clip(found[rows, columns], 0, 255) + 0.5, np.uint8)
 
 
+def _mirrored_by_ball(side: int) -> np.ndarray:
+    """Return the directions (side, side, 3) that a ball mirrors to an eye that looks along -z."""
+    axis = (np.arange(side) + 0.5) / side * 2.0 - 1.0
+    x, y = np.meshgrid(axis, -axis)
+    z = np.sqrt(np.maximum(1.0 - x**2 - y**2, 0.0))
+    return np.stack([2 * z * x, 2 * z * y, 2 * z * z - 1.0], axis=-1)
+
+
 def gilded_ball() -> np.ndarray:
     """Return a ball of gold, uint8 (side, side, 3), in light from windows on the right and torches.
 
     Seen along -z; the middle of each texel has the normal of the ball there.
     """
-    side = BALL[2]
-    axis = (np.arange(side) + 0.5) / side * 2.0 - 1.0
-    x, y = np.meshgrid(axis, -axis)
-    z = np.sqrt(np.maximum(1.0 - x**2 - y**2, 0.0))
-    # The direction that is mirrored: the eye looks along (0, 0, -1).
-    mirrored = np.stack([2 * z * x, 2 * z * y, 2 * z * z - 1.0], axis=-1)
+    mirrored = _mirrored_by_ball(BALL[2])
 
     def spot(towards: tuple[float, float, float], sharp: float) -> np.ndarray:
         unit = np.array(towards) / np.linalg.norm(towards)

@@ -368,14 +368,19 @@ def pose(time: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     along = _unit(key[3:6])
     edge = _unit(key[6:9] - along * (key[6:9] @ along))
     frame = np.stack([edge, along, np.cross(edge, along)])
-    elbow = frame @ (key[9:12] - grip)
+    return frame, grip, _arm(frame @ (key[9:12] - grip))
 
-    # Rotate the hand around the grip until the wrist faces the elbow.
+
+def _arm(elbow: np.ndarray) -> np.ndarray:
+    """Return the arm (8,), as of pose, with its elbow (3,) seen from the grip in sword space.
+
+    The hand is rotated around the grip until the wrist faces the elbow.
+    """
     turn = math.atan2(elbow[2], elbow[0]) - math.radians(48.0)
     c, s = math.cos(turn), math.sin(turn)
     elbow = np.array([c * elbow[0] + s * elbow[2], elbow[1], -s * elbow[0] + c * elbow[2]])
     wrist = np.array([0.048, -0.068, 0.052])
-    return frame, grip, np.array([c, s, *wrist, *elbow])
+    return np.array([c, s, *wrist, *elbow])
 
 
 def overlay(begin: float, end: float, instants: int) -> np.ndarray:

@@ -280,10 +280,8 @@ def spruce_young() -> np.ndarray:
     return needled(frame, 433, 0.030, (0.80, 0.97, 0.8), NEEDLES, bark, SMALL)
 
 
-@functools.cache
-def thorn() -> np.ndarray:
-    """Return a hawthorn bent by the wind: gnarled stems, dead twigs to windward, some blossom."""
-    rng = np.random.default_rng(511)
+def _thorn_form(rng: np.random.Generator) -> Form:
+    """Return two bent trunks with their boughs, those to windward dead."""
     trunks = [
         line((0, 0, 0), (0.05, 0.14, 0), (0.0, 0.3, 0), (0.16, 0.6, 0), (0.34, 0.86, 0)),
         line((0, 0, 0), (-0.09, 0.15, 0), (-0.08, 0.32, 0), (-0.24, 0.55, 0), (-0.2, 0.78, 0)),
@@ -293,8 +291,14 @@ def thorn() -> np.ndarray:
         spread_boughs(rng, 6, (0.50, 1.0), lambda t: 0.40 - 0.1 * t, (0.10, 0.6), (0.12, 0.16)),
     ]
     boughs[1] = [b._replace(dead=np.cos(b.around) < -0.3) for b in boughs[1]]
+    return form(trunks, boughs, rng, 3)
 
-    frame = form(trunks, boughs, rng, 3)
+
+@functools.cache
+def thorn() -> np.ndarray:
+    """Return a hawthorn bent by the wind: gnarled stems, dead twigs to windward, some blossom."""
+    rng = np.random.default_rng(511)
+    frame = _thorn_form(rng)
     attractors = in_lobes(frame.centres, frame.radii, 2600, rng)
     skeleton = colonise(attractors, frame.start, 0.033, np.array([0.16, 0.03, 0.0]), 512)
     r = skeleton.radii(0.0028, 0.062)

@@ -151,7 +151,11 @@ def blade() -> np.ndarray:
     tip_colour = np.array([0.300, 0.320, 0.070])
     colour = base_colour + (middle_colour - base_colour) * smoothstep(0.0, 0.55, tip)
     colour = colour + (tip_colour - colour) * smoothstep(0.45, 1.05, tip)
+    return to_uint8(to_srgb(colour * _blade_shade(u)[..., None]))
 
+
+def _blade_shade(u: np.ndarray) -> np.ndarray:
+    """Return the brightness of a blade across its width 0..1: midrib, veins, fold and grain."""
     # The middle of the strip is at u = 0.5 everywhere, so the midrib is straight.
     across = u - 0.5
     rib = np.exp(-((across / 0.035) ** 2)) - 0.45 * np.exp(
@@ -161,8 +165,7 @@ def blade() -> np.ndarray:
     fold = np.where(across < 0, 1.10, 0.88)
     streak = spectral_noise(BLADE_SIZE, 0.8, 7).mean(axis=0)[None, :] * 0.25
     grain = 0.05 * spectral_noise(BLADE_SIZE, 0.7, 8)
-    shade = fold * (1.0 + 0.32 * rib + veins + streak + grain)
-    return to_uint8(to_srgb(colour * shade[..., None]))
+    return fold * (1.0 + 0.32 * rib + veins + streak + grain)
 
 
 ASSETS: dict[str, Callable[[], np.ndarray]] = {"plant.png": plant, "blade.png": blade}

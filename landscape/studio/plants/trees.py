@@ -181,9 +181,28 @@ def fit(skeleton: Skeleton, leaves: Leaves, width: float, height: float) -> None
 def broadleaf() -> np.ndarray:
     """Return an old oak: short trunk, wide clumped crown, heavy limbs visible through the gaps."""
     rng = np.random.default_rng(11)
+    skeleton = _oak_limbs(rng)
+    skeleton.smooth(3)
+    r = skeleton.radii(0.0033, 0.088)
+    albedos = np.array([[0.080, 0.138, 0.030], [0.120, 0.172, 0.040], [0.055, 0.102, 0.032]])
+    leaves = add_leaves(
+        skeleton, np.flatnonzero(r < 0.0058), 12, 0.052, (0.036, 0.022), 0.2, albedos, rng
+    )
+    fit(skeleton, leaves, 0.97, 0.97)
+
+    density = foliage_density(leaves)
+    canvas = Canvas.blank()
+    bark = bark_texture([0.035, 0.028, 0.020], [0.19, 0.158, 0.122], 9.0, 21)
+    draw_skeleton(canvas, skeleton, r, bark, density, 0.55, 7, rng)
+    draw_leaves(canvas, leaves, density, 0.55)
+    return canvas.finish()
+
+
+def _oak_limbs(rng: np.random.Generator) -> Skeleton:
+    """Return a short trunk and heavy limbs that reach into a wide crown."""
     centres, radii = crown_lobes([0, 1.16, 0], [0.80, 0.68, 0.66], 30, (0.15, 0.29), -0.72, 3)
     attractors = in_lobes(centres, radii, 5200, rng)
-    skeleton = colonise(
+    return colonise(
         attractors,
         from_foot(
             [
@@ -203,29 +222,34 @@ def broadleaf() -> np.ndarray:
         14,
     )
 
-    skeleton.smooth(3)
-    r = skeleton.radii(0.0033, 0.088)
-    albedos = np.array([[0.080, 0.138, 0.030], [0.120, 0.172, 0.040], [0.055, 0.102, 0.032]])
-    leaves = add_leaves(
-        skeleton, np.flatnonzero(r < 0.0058), 12, 0.052, (0.036, 0.022), 0.2, albedos, rng
-    )
-    fit(skeleton, leaves, 0.97, 0.97)
-
-    density = foliage_density(leaves)
-    canvas = Canvas.blank()
-    bark = bark_texture([0.035, 0.028, 0.020], [0.19, 0.158, 0.122], 9.0, 21)
-    draw_skeleton(canvas, skeleton, r, bark, density, 0.55, 7, rng)
-    draw_leaves(canvas, leaves, density, 0.55)
-    return canvas.finish()
-
 
 @functools.cache
 def birch() -> np.ndarray:
     """Return a birch: two white stems, an open crown, thin hanging twigs."""
     rng = np.random.default_rng(31)
+    skeleton = _birch_limbs(rng)
+    skeleton.smooth(4)
+    tips = np.flatnonzero(skeleton.child_counts() == 0)
+    skeleton = hang_twigs(skeleton, tips, (4, 11), 0.028, rng)
+    r = skeleton.radii(0.0018, 0.050)
+    albedos = np.array([[0.165, 0.205, 0.045], [0.215, 0.225, 0.048], [0.115, 0.168, 0.040]])
+    leaves = add_leaves(
+        skeleton, np.flatnonzero(r < 0.0034), 4, 0.030, (0.026, 0.019), 0.9, albedos, rng
+    )
+    fit(skeleton, leaves, 0.92, 0.98)
+
+    density = foliage_density(leaves)
+    canvas = Canvas.blank()
+    draw_skeleton(canvas, skeleton, r, birch_bark(41), density, 0.45, 5, rng)
+    draw_leaves(canvas, leaves, density, 0.45)
+    return canvas.finish()
+
+
+def _birch_limbs(rng: np.random.Generator) -> Skeleton:
+    """Return two stems, and limbs that reach into an open crown."""
     centres, radii = crown_lobes([0, 1.2, 0], [0.56, 0.74, 0.5], 28, (0.16, 0.26), -0.8, 5)
     attractors = in_lobes(centres, radii, 2800, rng)
-    skeleton = colonise(
+    return colonise(
         attractors,
         from_foot(
             [
@@ -249,22 +273,6 @@ def birch() -> np.ndarray:
         np.array([0.0, 0.45, 0.0]),
         32,
     )
-
-    skeleton.smooth(4)
-    tips = np.flatnonzero(skeleton.child_counts() == 0)
-    skeleton = hang_twigs(skeleton, tips, (4, 11), 0.028, rng)
-    r = skeleton.radii(0.0018, 0.050)
-    albedos = np.array([[0.165, 0.205, 0.045], [0.215, 0.225, 0.048], [0.115, 0.168, 0.040]])
-    leaves = add_leaves(
-        skeleton, np.flatnonzero(r < 0.0034), 4, 0.030, (0.026, 0.019), 0.9, albedos, rng
-    )
-    fit(skeleton, leaves, 0.92, 0.98)
-
-    density = foliage_density(leaves)
-    canvas = Canvas.blank()
-    draw_skeleton(canvas, skeleton, r, birch_bark(41), density, 0.45, 5, rng)
-    draw_leaves(canvas, leaves, density, 0.45)
-    return canvas.finish()
 
 
 @functools.cache

@@ -20,14 +20,19 @@ WARP = 14.0  # chosen: domain warp in texels, which stretches the noise into wis
 MARCH = 9  # chosen: length of the march towards the sun, texels
 
 
-def clouds() -> np.ndarray:
-    """Return the layer, uint8 (512, 512, 4), tileable; row 0 is north."""
+def _thickness() -> np.ndarray:
+    """Return how thick the layer is, (512, 512), tileable: warped noise above a threshold."""
     rows, columns = np.indices((SIZE, SIZE), dtype=float)
     warp = [WARP * spectral_noise(SIZE, 1.9, seed, 2.0) for seed in (31, 32)]
     noise = 0.85 * spectral_noise(SIZE, 1.9, 33, 2.0) + 0.25 * spectral_noise(SIZE, 1.5, 34, 6.0)
     positions = [columns + warp[0], rows + warp[1]][::-1]
     noise = ndimage.map_coordinates(noise, positions, order=1, mode="grid-wrap")
-    thickness = np.maximum(noise - THRESHOLD, 0.0)
+    return np.maximum(noise - THRESHOLD, 0.0)
+
+
+def clouds() -> np.ndarray:
+    """Return the layer, uint8 (512, 512, 4), tileable; row 0 is north."""
+    thickness = _thickness()
     alpha = 1.0 - np.exp(-OPACITY * thickness)
     x, _, z = sun_direction()
     shade = np.zeros_like(thickness)

@@ -216,8 +216,19 @@ def shaded(colour: np.ndarray, edge: float, over: float, uneven: np.ndarray) -> 
 
 def snow_side() -> np.ndarray:
     """Return earth with snow hanging over it in rounded lobes."""
-    rng = np.random.default_rng(81)
     x, y = axes()
+    edge = _hanging_snow(x)
+    ground = shaded(earth(), 15.0, 7.0, (14.0 - edge[0]) / 1.5)
+    depth = edge - y
+    tone = 0.78 - 0.5 * smoothstep(5.0, 0.0, depth) - 0.08 * smoothstep(10.0, 4.0, depth)
+    tone = tone + 0.14 * smoothstep(4.0, 0.0, y) + 0.03 * noise(2.2, 82, 3.0)
+    cover = np.clip(depth * 2.0 + 0.5, 0.0, 1.0)[..., None]
+    return np.asarray(ground * (1.0 - cover) + ramp(SNOW, stepped(tone, 10, 0.35)) * cover)
+
+
+def _hanging_snow(x: np.ndarray) -> np.ndarray:
+    """Return how far down the snow hangs, (1, n), at the columns of x."""
+    rng = np.random.default_rng(81)
     lobes = 7
     middle = (np.arange(lobes) + rng.uniform(-0.2, 0.2, lobes)) * SIDE / lobes
     half = SIDE / lobes * rng.uniform(0.62, 0.95, lobes)
@@ -225,10 +236,4 @@ def snow_side() -> np.ndarray:
     aside = x[0][:, None] - middle
     aside = (aside - np.round(aside / SIDE) * SIDE) / half
     hang = drop * np.sqrt(np.clip(1.0 - aside**2, 0.0, 1.0)) ** 0.6
-    edge = np.maximum(hang.max(axis=1), 10.0)[None, :]
-    ground = shaded(earth(), 15.0, 7.0, (14.0 - edge[0]) / 1.5)
-    depth = edge - y
-    tone = 0.78 - 0.5 * smoothstep(5.0, 0.0, depth) - 0.08 * smoothstep(10.0, 4.0, depth)
-    tone = tone + 0.14 * smoothstep(4.0, 0.0, y) + 0.03 * noise(2.2, 82, 3.0)
-    cover = np.clip(depth * 2.0 + 0.5, 0.0, 1.0)[..., None]
-    return np.asarray(ground * (1.0 - cover) + ramp(SNOW, stepped(tone, 10, 0.35)) * cover)
+    return np.maximum(hang.max(axis=1), 10.0)[None, :]

@@ -137,6 +137,16 @@ class Canvas:
         self.alpha = np.full((height, width), 0.0 if colour is None else 1.0)
         self._wraps = wrap_y, wrap_x
 
+    def _samples(self, low: np.ndarray, high: np.ndarray) -> list[np.ndarray]:
+        """Return the rows and the columns of the samples in a box, as far as the picture goes."""
+        places = []
+        for axis, wrap in ((1, self._wraps[0]), (0, self._wraps[1])):
+            first, last = int(np.floor(low[axis] * OVER)), int(np.ceil(high[axis] * OVER))
+            side = self.alpha.shape[1 - axis]
+            place = np.arange(first, last + 1)
+            places.append(place if wrap else place[(place >= 0) & (place < side)])
+        return places
+
     def paint(
         self,
         low: np.ndarray,
@@ -147,13 +157,7 @@ class Canvas:
 
         The brush takes x and y of samples and returns their colours (..., 3) and cover (...).
         """
-        places = []
-        for axis, wrap in ((1, self._wraps[0]), (0, self._wraps[1])):
-            first, last = int(np.floor(low[axis] * OVER)), int(np.ceil(high[axis] * OVER))
-            side = self.alpha.shape[1 - axis]
-            place = np.arange(first, last + 1)
-            places.append(place if wrap else place[(place >= 0) & (place < side)])
-
+        places = self._samples(low, high)
         if not all(len(place) for place in places):
             return
         x, y = np.meshgrid((places[1] + 0.5) / OVER, (places[0] + 0.5) / OVER)

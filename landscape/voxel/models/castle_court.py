@@ -33,14 +33,7 @@ def yard(model: np.ndarray, ground: np.ndarray, floor: int, gate: int, south: in
 
 def court(model: np.ndarray, floor: int) -> None:
     """Build the well, the stall and the garden into the castle, in place."""
-    x, z = WELL
-    model[x - 1 : x + 2, z - 1 : z + 2, floor - 4 : floor + 1] = block("dark brick")
-    model[x, z, floor - 3 : floor + 1] = 0
-    model[x, z, floor - 4] = block("dark")
-    for cx in (x - 1, x + 1):
-        model[cx, z, floor + 1 : floor + 4] = block("oak log")
-    model[x - 2 : x + 3, z - 1 : z + 2, floor + 4] = block("slate")
-    model[x - 1 : x + 2, z, floor + 5] = block("slate")
+    _well(model, floor)
     _stall(model, floor)
     rng = np.random.default_rng(3)
     crown = tree("hawthorn", rng)
@@ -50,6 +43,18 @@ def court(model: np.ndarray, floor: int) -> None:
     part = model[(*place, slice(floor, floor + crown.shape[2]))]
     np.copyto(part, crown, where=(crown > 0) & (part == 0))
     _garden(model, floor, rng)
+
+
+def _well(model: np.ndarray, floor: int) -> None:
+    """Build the well, with a roof on two posts."""
+    x, z = WELL
+    model[x - 1 : x + 2, z - 1 : z + 2, floor - 4 : floor + 1] = block("dark brick")
+    model[x, z, floor - 3 : floor + 1] = 0
+    model[x, z, floor - 4] = block("dark")
+    for cx in (x - 1, x + 1):
+        model[cx, z, floor + 1 : floor + 4] = block("oak log")
+    model[x - 2 : x + 3, z - 1 : z + 2, floor + 4] = block("slate")
+    model[x - 1 : x + 2, z, floor + 5] = block("slate")
 
 
 def _stall(model: np.ndarray, floor: int) -> None:

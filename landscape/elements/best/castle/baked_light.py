@@ -70,7 +70,11 @@ def solids() -> tuple[list[Box], list[Cylinder]]:
         a = share * (x1 - x0) / 2 - 0.05 * (1 - share)
         y = top + share * KEEP_ROOF
         boxes.append((x0 + a, y, z0 + a, x1 - a, y + KEEP_ROOF / 4, z1 - a))
+    return boxes, _towers()
 
+
+def _towers() -> list[Cylinder]:
+    """Return the towers as cylinders, with their battlements, and their roofs as steps."""
     round_ = [(x, z, TOWER_RADIUS, -FOOT, TOWER_TOP - 0.12) for x, z in CORNERS]
     round_ += [(x, z, TOWER_RADIUS + 0.03, TOWER_TOP - 0.11, TOWER_TOP) for x, z in CORNERS]
     radius, tip = CONE
@@ -78,8 +82,7 @@ def solids() -> tuple[list[Box], list[Cylinder]]:
         low = TOWER_TOP + share * (tip - TOWER_TOP)
         high = low + (tip - TOWER_TOP) / 4
         round_ += [(x, z, radius * (1 - share), low, high) for x, z in ROOFED]
-
-    return boxes, round_
+    return round_
 
 
 def stopped(places: np.ndarray, ray: np.ndarray) -> np.ndarray:

@@ -106,15 +106,7 @@ def ornate_masonry(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
 
     The first quad is the gate wall's outer face above y = 0.
     """
-    walls = walls_mesh(repeat).vertices.reshape(-1, 4, 3)
-    under, over = walls[:1].copy(), walls[:1].copy()
-    under[0, 2:, 1], over[0, :2, 1] = 0.0, 0.0
-    rings = [belt(*BAND, (0.5, 0.5)), belt(*PLINTH, GATE)]
-    x0, z0, x1, z1, top = KEEP
-    out = 0.02
-    keep = [box_quads(x0, -FOOT, z0, x1, top, z1)]
-    keep.append(box_quads(x0 - out, top - 0.10, z0 - out, x1 + out, top, z1 + out))
-    quads = np.concatenate([over, under, walls[1:], *rings, *keep])
+    quads = _flat_quads(repeat)
     meshes, strips = [quads_mesh(quads, repeat)], quad_strips(len(quads))
     for x, z in CORNERS:
         tower, rows = ornate_tower(repeat, (x, z) not in ROOFED)
@@ -123,3 +115,16 @@ def ornate_masonry(repeat: float) -> tuple[Mesh, list[np.ndarray]]:
         meshes.append(moved(tower, x, z))
 
     return merged(meshes), strips
+
+
+def _flat_quads(repeat: float) -> np.ndarray:
+    """Return the quads (n, 4, 3) of the walls, with their belts, and of the keep."""
+    walls = walls_mesh(repeat).vertices.reshape(-1, 4, 3)
+    under, over = walls[:1].copy(), walls[:1].copy()
+    under[0, 2:, 1], over[0, :2, 1] = 0.0, 0.0
+    rings = [belt(*BAND, (0.5, 0.5)), belt(*PLINTH, GATE)]
+    x0, z0, x1, z1, top = KEEP
+    out = 0.02
+    keep = [box_quads(x0, -FOOT, z0, x1, top, z1)]
+    keep.append(box_quads(x0 - out, top - 0.10, z0 - out, x1 + out, top, z1 + out))
+    return np.concatenate([over, under, walls[1:], *rings, *keep])

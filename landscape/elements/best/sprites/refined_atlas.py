@@ -130,6 +130,18 @@ def top_coordinates(cells: np.ndarray, rows: int = ROWS) -> np.ndarray:
     return np.ascontiguousarray(np.stack([u, v], axis=2), np.float32)
 
 
+def _box(solid: np.ndarray, first: int, last: int) -> list[float]:
+    """Return the box (s0, t0, s1, t1) around some rows of a picture (64, 64) that shows something.
+
+    It reaches a texel further to both sides.
+    """
+    columns = np.flatnonzero(solid[first:last].any(axis=0))
+    if not len(columns):
+        return [0.5, first / 64, 0.5, last / 64]
+    left, right = max(columns[0] - 1, 0), min(columns[-1] + 2, 64)
+    return [left / 64, first / 64, right / 64, last / 64]
+
+
 def outline(alpha: np.ndarray) -> np.ndarray:
     """Return the two boxes (s0, t0, s1, t1) of least area that contain a picture, float (2, 4).
 
@@ -142,17 +154,10 @@ def outline(alpha: np.ndarray) -> np.ndarray:
     if not len(rows):
         return np.array([[0.0, 0.0, 1.0, 0.5], [0.0, 0.5, 1.0, 1.0]])
 
-    def box(first: int, last: int) -> list[float]:
-        columns = np.flatnonzero(solid[first:last].any(axis=0))
-        if not len(columns):
-            return [0.5, first / 64, 0.5, last / 64]
-        left, right = max(columns[0] - 1, 0), min(columns[-1] + 2, 64)
-        return [left / 64, first / 64, right / 64, last / 64]
-
     top, bottom = max(int(rows[0]) - 1, 0), 64
     best, least = np.empty((0, 4)), 2.0
     for cut in range(top + 1, bottom):
-        boxes = np.array([box(top, cut), box(cut, bottom)])
+        boxes = np.array([_box(solid, top, cut), _box(solid, cut, bottom)])
         area = float(((boxes[:, 2] - boxes[:, 0]) * (boxes[:, 3] - boxes[:, 1])).sum())
         if area < least:
             best, least = boxes, area

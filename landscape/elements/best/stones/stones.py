@@ -141,7 +141,11 @@ class Stones(Element[Settings]):
         self._light = light
         tint, shade = np.array(sun.tint), np.array(sun.shade)
         sunny = np.clip((light - shade) / np.maximum(tint - shade, 1e-3), 0.0, 1.0).min(axis=1)
-        hidden = (256.0 * (1.0 - sunny)).astype(np.uint16)
+        self._darken((256.0 * (1.0 - sunny)).astype(np.uint16))
+
+    def _darken(self, hidden: np.ndarray) -> None:
+        """Take from each stone the sun's light as far as it is ``hidden``, uint16 (n,) of 256."""
+        found = self.bodies
         vertices = found.vertices.copy()
         colours = vertices["colour"]
         for k, levels in enumerate(self._shapes):

@@ -106,7 +106,11 @@ class BedLight:
         self._fade.bind()
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        self._look_up_depth(level)
 
+    @staticmethod
+    def _look_up_depth(level: float) -> None:
+        """Let the active unit look up its texture by the depth under the water."""
         # Depth 0 and DEEPEST are at the centres of the first and last texels.
         along, half = (TEXELS - 1) / TEXELS / DEEPEST, 0.5 / TEXELS
         generate_by_planes((0.0, -along, 0.0, level * along + half), (0.0, 0.0, 0.0, 0.5))
