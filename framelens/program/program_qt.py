@@ -12,7 +12,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, SupportsInt
 
 from framelens.base.errors import NoOpenGLError
 from framelens.gl import display
@@ -99,7 +99,7 @@ class _Qt:
         self._blends = False  # whether the program has enabled blending
         self._inside = False  # whether a method of the program's widget runs
 
-    def classes(self) -> dict[int, Any]:
+    def classes(self) -> dict[int, type]:
         """Return the classes that take the place of Qt's, by the identities of those."""
         return {
             id(self._held_in.QOpenGLWidget): _widget(self, self._held_in.QOpenGLWidget),
@@ -247,7 +247,7 @@ class _Qt:
     def _send(self, event: Any, target: Any = None) -> None:
         self._app.sendEvent(target or self._widget, event)
 
-    def _key(self, event: Event, before: Any) -> None:
+    def _key(self, event: Event, before: tuple[float, float]) -> None:
         kind = self._named("Type", "KeyPress" if event.pressed else "KeyRelease", self.core.QEvent)
         name = KEY_NAMES.get(event.name) or event.name.title().replace("_", "")
         written = event.text or (CONTROL.get(event.name, "") if event.pressed else "")
@@ -282,11 +282,11 @@ class _Qt:
             )
         )
 
-    def _resize(self, event: Event, before: Any) -> None:
+    def _resize(self, event: Event, before: tuple[float, float]) -> None:
         self._widget.window().resize(*map(int, event.value))
         self.due = True
 
-    def _close(self, event: Event, before: Any) -> None:
+    def _close(self, event: Event, before: tuple[float, float]) -> None:
         self._widget.window().close()
         self.leaving = True
 
@@ -303,11 +303,11 @@ METHODS: dict[str, Callable[..., None]] = {
 }
 
 
-def _widget(qt: _Qt, real: Any) -> Any:
+def _widget(qt: _Qt, real: Any) -> type:
     """Return the class that a program's widget derives from."""
 
     class QOpenGLWidget(real):  # type: ignore[misc]
-        def __init_subclass__(cls, **options: Any) -> None:
+        def __init_subclass__(cls, **options: object) -> None:
             super().__init_subclass__(**options)
             for name, method in list(vars(cls).items()):
                 if name in METHODS:
@@ -315,7 +315,7 @@ def _widget(qt: _Qt, real: Any) -> Any:
                 elif name.endswith("Event"):
                     setattr(cls, name, _caught(qt, method))
 
-        def __init__(self, *args: Any, **options: Any) -> None:
+        def __init__(self, *args: object, **options: object) -> None:
             super().__init__(*args, **options)
             if qt.found is not None:
                 raise qt.run.second_window()
@@ -324,10 +324,10 @@ def _widget(qt: _Qt, real: Any) -> Any:
         def paintGL(self) -> None:
             qt.painted(self, lambda widget: None)
 
-        def paintEvent(self, event: Any) -> None:
+        def paintEvent(self, event: object) -> None:
             """Draw nothing: the event loop asks for it."""
 
-        def update(self, *area: Any) -> None:
+        def update(self, *area: object) -> None:
             qt.due = True
 
         repaint = update
@@ -335,7 +335,7 @@ def _widget(qt: _Qt, real: Any) -> Any:
         def defaultFramebufferObject(self) -> int:
             return 0
 
-        def startTimer(self, interval: Any, *kind: Any) -> int:
+        def startTimer(self, interval: SupportsInt, *kind: object) -> int:
             timer = HeldTimer(self, qt=qt)
             number = timer.number = next(qt.numbers)
             timer.timeout.connect(lambda: self.timerEvent(qt.core.QTimerEvent(number)))
@@ -370,15 +370,15 @@ def _caught(qt: _Qt, method: Callable[..., object]) -> object:
     return called
 
 
-def _application(qt: _Qt, real: Any) -> Any:
+def _application(qt: _Qt, real: Any) -> type:
     """Return the class of a program's application, with the event loop here."""
 
     class QApplication(real):  # type: ignore[misc]
-        def __init__(self, *args: Any) -> None:
+        def __init__(self, *args: object) -> None:
             super().__init__(*args)
             qt.begin(self)
 
-        def exec(self, *args: Any) -> int:
+        def exec(self, *args: object) -> int:
             return qt.loop()
 
         exec_ = exec
@@ -401,9 +401,9 @@ class HeldTimer:
 
     def __init__(
         self,
-        parent: Any = None,
-        interval: Any = 0,
-        timeout: Any = None,
+        parent: object = None,
+        interval: SupportsInt = 0,
+        timeout: Callable[[], object] | None = None,
         singleShot: bool = False,
         qt: _Qt | None = None,
     ) -> None:
@@ -416,7 +416,7 @@ class HeldTimer:
         if timeout is not None:
             self.timeout.connect(timeout)
 
-    def start(self, interval: Any = None) -> None:
+    def start(self, interval: SupportsInt | None = None) -> None:
         """Begin, with another interval in milliseconds if one is given."""
         if interval is not None:
             self._interval = int(interval)
@@ -452,7 +452,7 @@ class HeldTimer:
         """Return the interval in milliseconds."""
         return self._interval
 
-    def setInterval(self, interval: Any) -> None:
+    def setInterval(self, interval: SupportsInt) -> None:
         """Set the interval in milliseconds."""
         self._interval = int(interval)
 
@@ -468,7 +468,7 @@ class HeldTimer:
         """Do nothing: the held clock is exact."""
 
     @classmethod
-    def singleShot(cls, interval: Any, *rest: Any) -> None:
+    def singleShot(cls, interval: SupportsInt, *rest: Any) -> None:
         """Call the last argument once, after an interval."""
         timer = cls(singleShot=True)
         timer.timeout.connect(rest[-1])

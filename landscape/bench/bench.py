@@ -277,7 +277,7 @@ def measure_blades(options: Options, done: Callable[[str], None]) -> dict[str, o
     return {"grass": grass, "ways": ways}
 
 
-def measure_tone(options: Options, done: Callable[[str], None]) -> list[dict[str, object]]:
+def measure_tone(options: Options, done: Callable[[str], None]) -> list[tone.Row]:
     """Return ``tone``, if there is any."""
     if not options.toned:
         return []

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from statistics import median
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -27,9 +27,16 @@ COUNTS = (BLADES, 1_500_000, 10_000_000)
 MOST_ON_ISLAND = 1_500_000  # section 5.3.1; more blades stand on proportionally larger land
 
 
+class Owner(Protocol):
+    """What holds something of OpenGL's."""
+
+    def release(self) -> None:
+        """Delete it."""
+
+
 def measure_grass(
     values: Settings, count: int, size: tuple[int, int], assets: Assets, seed: int, rounds: int
-) -> dict[str, Any]:
+) -> dict[str, float]:
     """Measure ``count`` blades where the grass is dense.
 
     ``select_ms``: only selecting the blades to draw; ``draw_ms``: all of Grass.draw, that is,
@@ -45,7 +52,7 @@ def measure_grass(
         ground=replace(values.ground, size=values.ground.size * wider),
         castle=replace(values.castle, x=values.castle.x * wider, z=values.castle.z * wider),
     )
-    owned: list[Any] = []
+    owned: list[Owner] = []
     try:
         owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
         blades = Meadow if Meadow.serves(values) else Grass
@@ -89,7 +96,7 @@ def measure_ways(
 
     Returns for each its ``name``, the blades on the land (``count``), and the ``ms`` of a frame.
     """
-    owned: list[Any] = []
+    owned: list[Owner] = []
     try:
         owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
         path = assets.path("blade.png")

@@ -4,7 +4,7 @@ The document claims that blending is 4 to 25 times as fast, by implementation, n
 values (glSkel, scale and bias).
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from statistics import median
 from typing import Any
@@ -22,9 +22,13 @@ CASES = ((0.1, 0.7, "picture"), (-0.1, 1.6, "picture"), (0.0, 3.0, "statue"))
 METHODS = ("blend", "pixels")
 
 
+Row = dict[str, float | str]
+"""A case, and its times."""
+
+
 def measure_tone(
     values: Any, size: tuple[int, int], assets: Assets, rounds: int, done: Callable[[str], None]
-) -> list[dict[str, Any]]:
+) -> list[Row]:
     """Return for each case ``brightness``, ``contrast``, ``area``, ``blend_ms`` and ``pixels_ms``.
 
     ``ratio`` is how many times as long copying takes as blending. ``values`` are the hall's
@@ -32,15 +36,15 @@ def measure_tone(
     """
     kind, view = find_view(VIEW)
     pose = placed(view.pose, kind.terrain(values, assets), values.walk.eye)
-    found: list[dict[str, Any]] = []
+    found: list[Row] = []
     statue = Statue(values, assets)
     try:
         tone = Tone(values, assets)
         frame = begin_frame(Moment(pose, size, view.kt), values.camera, values.sun, values.fog)
         for brightness, contrast, area in CASES:
-            case = {"brightness": brightness, "contrast": contrast, "area": area}
+            case: Row = {"brightness": brightness, "contrast": contrast, "area": area}
 
-            def draw(method: str, case: Mapping[str, Any] = case) -> None:
+            def draw(method: str, case: Row = case) -> None:
                 changes = {f"tone.{name}": value for name, value in case.items()}
                 tone.take(declare.with_settings(values, {**changes, "tone.method": method}))
                 with tone.marking():
@@ -59,7 +63,7 @@ def measure_tone(
     return found
 
 
-def report(rows: list[dict[str, object]]) -> list[str]:
+def report(rows: list[Row]) -> list[str]:
     """Return the lines of a table, none without rows."""
     if not rows:
         return []

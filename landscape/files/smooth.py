@@ -25,8 +25,10 @@ def _sums_around(picture: np.ndarray) -> np.ndarray:
     padded = np.pad(picture.astype(np.int16), sides, mode="reflect", reflect_type="odd")
     total = np.clip(padded, 0, 255)
     height, width = picture.shape[:2]
-    total = np.sum([total[k : k + height] for k in range(2 * REACH + 1)], axis=0, dtype=np.int16)
-    return np.sum([total[:, k : k + width] for k in range(2 * REACH + 1)], axis=0, dtype=np.int16)
+    rows = [total[k : k + height] for k in range(2 * REACH + 1)]
+    total = np.sum(rows, axis=0, dtype=np.int16)
+    columns = [total[:, k : k + width] for k in range(2 * REACH + 1)]
+    return np.asarray(np.sum(columns, axis=0, dtype=np.int16))
 
 
 def smoothed(picture: np.ndarray) -> np.ndarray:

@@ -23,7 +23,7 @@ from landscape.gallery.view_captions import VIEW_PANELS
 from landscape.island.fixes import FIXES, Fix
 from landscape.island.island import ELEMENTS
 from landscape.island.views import VIEWS
-from landscape.offscreen import Offscreen
+from landscape.offscreen import Offscreen, Place
 
 SIZE = (400, 300)  # chosen: large enough to see what each shows, small enough to commit them all
 REPORT_PRESET = "2006"  # the report's figures are drawn with the report's settings
@@ -62,7 +62,7 @@ class PanelRenderer:
 
     def render(
         self,
-        view: Any,
+        view: Place,
         settings: Mapping[str, object],
         kt: float | None = None,
         only: tuple[str, ...] = ELEMENTS,
@@ -85,7 +85,7 @@ class PanelRenderer:
     def scene_picture(
         self,
         place: str,
-        view: Any,
+        view: Place,
         settings: Mapping[str, object],
         kt: float | None,
         size: tuple[int, int],
