@@ -842,6 +842,20 @@ def test_many_states_beside_a_large_one_take_no_more_memory_than_were_sent(tmp_p
     assert reader._states[1000]["GL_99"] == 99
 
 
+def test_a_program_that_resizes_its_window_is_not_said_to_forge(
+    grader: Grader, home: Path, port: int
+) -> None:
+    code = """
+import glfw
+def shown(window, show=glfw.swap_buffers):
+    show(window)
+    glfw.set_window_size(window, 320, 240)
+glfw.swap_buffers = shown
+"""
+    report = attack(grader, home, port, code)
+    assert report.error is None and report.results
+
+
 def test_what_python_warns_of_in_a_program_is_not_told(tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text('x = "\\d"\n')

@@ -245,6 +245,8 @@ class _Glfw:
 
     def set_window_size(self, window: object, width: int, height: int) -> None:
         if self._host is None:
+            if self._run.window is not None:
+                self._run.window.resized = True
             self._change_size(width, height)
 
     def _change_size(self, width: int, height: int) -> None:

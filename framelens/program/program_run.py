@@ -74,6 +74,7 @@ class Window:
     """The program's window. ``size()`` is that of what it draws to, in pixels.
 
     ``early``: the first function that was called without a context, in vain, and the line.
+    ``resized``: whether the program itself has changed its size since it was opened.
     """
 
     toolkit: str  # glfw, glut, pygame or qt
@@ -86,6 +87,7 @@ class Window:
     early_calls: list[EarlyCall] = field(default_factory=list, init=False)
     early_line: int = field(default=0, init=False)  # that comes too early, beside the opening one
     showing: Showing = field(default_factory=Showing, init=False)
+    resized: bool = field(default=False, init=False)
 
 
 class Observer(Protocol):

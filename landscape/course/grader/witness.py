@@ -241,6 +241,8 @@ class Witness(ExitStack):
 
     def _keep(self) -> None:
         """Keep the frame's calls, to draw them again; or give up, if they cannot be."""
+        if self.window is not None and self.window.resized:  # which is no call of OpenGL
+            self._again = None
         if self._again is None:
             return
         noted = self._recorder.calls[self._begin :]
