@@ -75,9 +75,9 @@ def _missing(path: Path, error: BaseException) -> str:
 
 def _reason(error: BaseException) -> str:
     """Return on one line what an exception says."""
-    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
-        return _of_opengl(error)
     text = _start(str(error)).strip().splitlines()
+    if hasattr(error, "baseOperation"):  # PyOpenGL's text has a line for each of its parts
+        return _of_opengl(error)  # the text has looked up what the error's number means
     reason = f"{_name(error)}: {text[0]}" if text else _name(error)
     if reason.startswith(CAUGHT):
         reason += f", as OpenGL does {guard.SHORT_ARRAY}"
