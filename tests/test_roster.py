@@ -230,6 +230,9 @@ def test_a_class_is_a_row_each_in_every_table(
 
     monkeypatch.setattr(grades._Opened, "graded", fail)
     assert grade_class(found, rules, due, executor=Here()) == graded
+    with monkeypatch.context() as without_workers:
+        without_workers.setattr(grades, "lent_or_own", fail)
+        assert grade_class(found, rules, due) == graded
     with pytest.raises(KeyboardInterrupt, match="graded again"):
         grade_class(found, Rules(points=10.0, again=True), due, executor=Here())
 

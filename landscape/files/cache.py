@@ -74,14 +74,10 @@ def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays], fresh: bool
     The result must depend only on ``parts`` and on code: this package's, or that of the file which
     defines ``make``. A cache that cannot be used is not an error. The arrays may be written to.
     """
-    place, theirs = folder(), code_outside(make)
-    if place is None or theirs is None:
+    theirs = code_outside(make)
+    path = None if theirs is None else _path(parts, theirs)
+    if path is None:
         return make()
-    digest = hashlib.blake2b(code() + theirs, digest_size=NAME_BYTES)
-    for part in parts:
-        data = part.encode() if isinstance(part, str) else part
-        digest.update(len(data).to_bytes(8, "little") + data)
-    path = place / f"{digest.hexdigest()}.arrays"
     found = None if fresh else _read(path)
     if found is None:
         found = make()
@@ -89,6 +85,27 @@ def recall(parts: Iterable[bytes | str], make: Callable[[], Arrays], fresh: bool
             _write(path, found)
 
     return found
+
+
+def recalled(parts: Iterable[bytes | str]) -> Arrays | None:
+    """Return what :func:`recall` would without making it; None if it is not there.
+
+    For what is made by code of this package.
+    """
+    path = _path(parts, b"")
+    return None if path is None else _read(path)
+
+
+def _path(parts: Iterable[bytes | str], theirs: bytes) -> Path | None:
+    """Return the file for what is made from ``parts``, by code of the hash ``theirs`` as well."""
+    place = folder()
+    if place is None:
+        return None
+    digest = hashlib.blake2b(code() + theirs, digest_size=NAME_BYTES)
+    for part in parts:
+        data = part.encode() if isinstance(part, str) else part
+        digest.update(len(data).to_bytes(8, "little") + data)
+    return place / f"{digest.hexdigest()}.arrays"
 
 
 @functools.lru_cache(maxsize=1)

@@ -5,7 +5,7 @@ import json
 import math
 import pickle
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import dataclass, replace
@@ -32,8 +32,9 @@ from landscape.course.grader.troubles import LONGEST, sentence
 from landscape.course.grader.workplace import Workplace
 from landscape.course.roster.submissions import Submission, late
 from landscape.course.shelf import MARKER, Shelf
-from landscape.files.cache import code_below, content, recall
+from landscape.files.cache import code_below, content, recall, recalled
 
+Outcome = tuple[dict[str, Any], bytes]  # the values of a program's row, and its picture
 UNSEEN = _("The tests that you see pass, but not all of those that you do not see.")
 TOGETHER = 8  # chosen: programs of one exercise that a worker grades one after the other
 SHARES = 2  # chosen: such groups for each worker, where all programs are of one exercise
@@ -112,23 +113,41 @@ def grade_class(
     """
     texts = list(dict.fromkeys(each.data for each in found if each.data is not None))
     count = jobs or min(cores(), max(len(texts), 1))
-    tasks = _by_exercise(texts, math.ceil(len(texts) / (SHARES * count)))
+    known = {} if rules.again else _graded_before(rules, texts)
     graded: list[Graded] = []
     try:
-        with (
-            lent_or_own(executor, count) as workers,
-            closing(in_order(workers, partial(grade, rules), tasks, ahead(count))) as results,
-        ):
-            known: dict[bytes, tuple[dict[str, object], bytes]] = {}
-            waiting = iter(tasks)
+        unknown = [text for text in texts if text not in known]
+        with closing(_by_workers(rules, unknown, count, executor)) as results:
             for each in found:
                 while each.data is not None and each.data not in known:
-                    known.update(zip(next(waiting), next(results), strict=True))
+                    known.update([next(results)])
                 graded.append(_given(each, rules, due, known))
                 done(each.student)
     finally:
         _open.close()  # where the executor is one in this process
     return graded
+
+
+def _graded_before(rules: Rules, texts: Iterable[bytes]) -> dict[bytes, Outcome]:
+    """Return what is known of programs from an earlier run."""
+    shelf = Shelf(rules.exercises)
+    found = ((text, recalled([_key(rules, shelf), text])) for text in texts)
+    return {text: _read(*arrays) for text, arrays in found if arrays is not None}
+
+
+def _by_workers(
+    rules: Rules, texts: Sequence[bytes], count: int, executor: Executor | None
+) -> Iterator[tuple[bytes, Outcome]]:
+    """Grade programs, each told with what it was given; without any, no worker is started."""
+    if not texts:
+        return
+    tasks = _by_exercise(texts, math.ceil(len(texts) / (SHARES * count)))
+    with (
+        lent_or_own(executor, count) as workers,
+        closing(in_order(workers, partial(grade, rules), tasks, ahead(count))) as results,
+    ):
+        for task, outcomes in zip(tasks, results, strict=True):
+            yield from zip(task, outcomes, strict=True)
 
 
 def _by_exercise(texts: Iterable[bytes], most: int) -> list[list[bytes]]:
@@ -153,7 +172,7 @@ def _given(
     each: Submission,
     rules: Rules,
     due: datetime | None,
-    known: Mapping[bytes, tuple[dict[str, Any], bytes]],
+    known: Mapping[bytes, Outcome],
 ) -> Graded:
     """Return what a submission is given; ``known`` has what each program is."""
     row = Row(
@@ -171,15 +190,22 @@ def _given(
     return Graded(replace(row, **values), each, picture)
 
 
-def grade(rules: Rules, texts: Sequence[bytes]) -> list[tuple[dict[str, object], bytes]]:
+def grade(rules: Rules, texts: Sequence[bytes]) -> list[Outcome]:
     """Return the values of each program's row, and its picture: a task for any executor."""
     return [_graded(rules, each) for each in texts]
 
 
-def _graded(rules: Rules, data: bytes) -> tuple[dict[str, object], bytes]:
+def _key(rules: Rules, shelf: Shelf) -> bytes:
+    """Return what a program's grade depends on besides the program.
+
+    It is given the same wherever the class lies.
+    """
+    return pickle.dumps((replace(rules, again=False, private=()), _code(shelf, rules.language)))
+
+
+def _graded(rules: Rules, data: bytes) -> Outcome:
     shelf = Shelf(rules.exercises)
-    # A program is given the same wherever the class lies.
-    key = pickle.dumps((replace(rules, again=False, private=()), _code(shelf, rules.language)))
+    key = _key(rules, shelf)
 
     def make() -> tuple[np.ndarray, ...]:
         with _open.opened(
@@ -196,6 +222,11 @@ def _graded(rules: Rules, data: bytes) -> tuple[dict[str, object], bytes]:
     # As a program can provoke: the others are graded all the same.
     except Exception as error:
         return {"error": _defect(error)}, b""
+    return _read(text, picture)
+
+
+def _read(text: np.ndarray, picture: np.ndarray) -> Outcome:
+    """Return an outcome as it was put into the cache."""
     return dict(json.loads(text.tobytes())), picture.tobytes()
 
 
