@@ -62,6 +62,19 @@ def test_the_strip_lies_on_the_sand_and_on_the_water() -> None:
         assert (y > ground).all() and (y < ground + 0.01).all()
 
 
+def test_the_strip_goes_on_to_where_no_wave_wets_the_sand() -> None:
+    # Cells of this beach are up to half as wide as waves reach.
+    strip = run_up.joined(run_up.tiles(beach(slope=0.2)))
+    x, _, z = strip.vertices.T
+    wet = run_up.diagram().wet.max(axis=0)
+    shown = wet[np.minimum((strip.places[:, 0] * run_up.ACROSS).astype(int), run_up.ACROSS - 1)]
+    for line in np.unique(x):
+        along = np.flatnonzero(x == line)
+        assert shown[along[z[along].argmin()]] < 0.02
+        assert shown[along[z[along].argmax()]] < 0.02
+        assert shown[along].max() > 0.9
+
+
 def test_foam_climbs_the_land_and_moves(stage: Stage, plain: Assets) -> None:
     def shown(kt: float, climbing: bool) -> np.ndarray:
         changes = {**WASH, "water.run_up": climbing}

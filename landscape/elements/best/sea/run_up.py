@@ -45,6 +45,7 @@ FIRST, LAST = -0.6, 1.4  # chosen: ends of the strip, in reaches above the shore
 WAVES = (1.0, 0.66, 0.84)  # chosen: how far each of the waves climbs, in reaches
 RISING = 0.3  # chosen: fraction of its time that a wave rises
 ACROSS, STEPS = 256, 1024  # texels of the diagram, across the beach and in time
+HALF_TEXEL = 0.5 / ACROSS * (LAST - FIRST)  # reaches: the texture repeats beyond its ends
 DRYING = 1.1  # chosen: waves until the sand is as dry as before
 SHINING = 0.45  # chosen: waves until its shine is 1/e
 DARKEST = 0.66  # chosen: factor on wet sand, in addition to the band that is always damp
@@ -149,7 +150,7 @@ def tiles(field: HeightField) -> list[Tile]:
     scale = len(distance) / field.size
     coarse = np.minimum((at * scale).astype(int), len(distance) - 1)
     found = distance[np.ix_(coarse, coarse)]
-    near = (found > -1.6 * LONGEST * (1 + UNEVEN)) & (found < LONGEST)
+    near = (found > -1.6 * LONGEST * (1 + UNEVEN)) & (found < LONGEST + 2 * CELL)
     row, column = np.nonzero(near)
     x, z = at[column], at[row]
 
@@ -159,10 +160,13 @@ def tiles(field: HeightField) -> list[Tile]:
     steep = lookup(slope, u, v)
     reach = reaches(np.where(steep > 0, steep, 10.0), x, z)
     place = -apart / reach
-    good = (place > FIRST) & (place < LAST) & (reach > SHORTEST)
+    # A cell more at either side: on a narrow beach one cell is as wide as the fading is.
+    beyond = 1.5 * CELL / reach
+    good = (place > FIRST - beyond) & (place < LAST + beyond) & (reach > SHORTEST)
     number = np.full(near.shape, -1, np.int64)
     number[row[good], column[good]] = np.arange(int(good.sum()))
-    x, z, place, reach = x[good], z[good], place[good], reach[good]
+    x, z, reach = x[good], z[good], reach[good]
+    place = np.clip(place[good], FIRST + HALF_TEXEL, LAST - HALF_TEXEL)
     y = np.maximum(field.terrain_height(x, z), field.water_level) + ABOVE
     turn = turns(x, z, 0.0)
     looked_up = np.stack([(place - FIRST) / (LAST - FIRST), -turn / (2 * np.pi * len(WAVES))], 1)
@@ -297,22 +301,24 @@ class RunUp:
             gl.glPolygonOffset(-1.0, -2.0)
             moved = frame.kt / PERIOD / len(WAVES) % 1.0
             faded = strip.alpha * left(strip, frame)
-            self._darken(strip, moved)
+            self._darken(strip, faded, moved)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             if mirror is not None:
                 self._mirror(frame, strip, faded, moved, mirror)
             self._frayed(strip, faded, moved, painted(settings.sun, FACING))
 
-    def _darken(self, strip: Tile, moved: float) -> None:
-        """Multiply what is drawn by how dark wet sand is."""
+    def _darken(self, strip: Tile, faded: np.ndarray, moved: float) -> None:
+        """Multiply what is drawn by how dark wet sand is, and by 1 where the strip has faded."""
         with attrib(gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT):
             gl.glDisable(gl.GL_FOG)
             gl.glBlendFunc(gl.GL_ZERO, gl.GL_SRC_COLOR)
             gl.glEnable(gl.GL_TEXTURE_2D)
             self._wet.bind()
-            gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
+            combine({"COMBINE_RGB": "INTERPOLATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "CONSTANT"})
+            combine({"SRC2_RGB": "PRIMARY_COLOR", "OPERAND2_RGB": "SRC_ALPHA"})
+            gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.ones(4, np.float32))
             with moved_texture(moved):
-                send(strip, None, [strip.places])
+                send(strip, white(faded), [strip.places])
 
     def _mirror(
         self,
@@ -400,10 +406,8 @@ def white(alpha: np.ndarray) -> np.ndarray:
     return colors
 
 
-def send(tile: Tile, colors: np.ndarray | None, layers: list[np.ndarray]) -> None:
-    """Draw a tile with colours (n, 4), white without, and texture coordinates for each unit."""
+def send(tile: Tile, colors: np.ndarray, layers: list[np.ndarray]) -> None:
+    """Draw a tile with colours (n, 4) and texture coordinates for each unit."""
     layers = [np.ascontiguousarray(each, np.float32) for each in layers]
-    if colors is None:
-        gl.glColor4f(1.0, 1.0, 1.0, 1.0)
     with client_arrays(tile.vertices, None, colors, layers):
         gl.glDrawElements(gl.GL_TRIANGLES, tile.triangles.size, gl.GL_UNSIGNED_INT, tile.triangles)
