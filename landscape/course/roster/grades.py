@@ -5,7 +5,7 @@ import json
 import math
 import pickle
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import dataclass, replace
@@ -137,7 +137,7 @@ def _graded_before(rules: Rules, texts: Iterable[bytes]) -> dict[bytes, Outcome]
 
 def _by_workers(
     rules: Rules, texts: Sequence[bytes], count: int, executor: Executor | None
-) -> Iterator[tuple[bytes, Outcome]]:
+) -> Generator[tuple[bytes, Outcome], None, None]:
     """Grade programs, each told with what it was given; without any, no worker is started."""
     if not texts:
         return
