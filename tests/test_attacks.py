@@ -766,15 +766,18 @@ def forged(**changes: Any) -> stream.Answer:
     return answer | changes, [memoryview(b"")]
 
 
-@pytest.mark.seldom(5, first=2)
-def test_lists_that_double_again_and_again_are_no_evidence(tmp_path: Path) -> None:
+def test_lists_that_double_again_and_again_are_no_evidence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(evidence_file, "MOST_CALLS", 100_000)
+    monkeypatch.setattr(evidence_file, "MOST_OBJECTS", 20_000)
     lists = [[0, [0, []]]] + [[0, [0, [], {"inside": [n, n]}]] for n in range(60)]
     answer = forged(lists=lists, setup=[0, [0, [], {"inside": [60]}]])
     tracemalloc.start()
     try:
         with pytest.raises(ValueError, match="more calls"):
             evidence_file.load(tmp_path, answer, [])
-        assert tracemalloc.get_traced_memory()[1] < 300 << 20
+        assert tracemalloc.get_traced_memory()[1] < 15 << 20
     finally:
         tracemalloc.stop()
 

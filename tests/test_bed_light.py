@@ -6,6 +6,7 @@ from stage import Stage
 
 from framelens.gl import extensions
 from landscape.elements.best.terrain.bed_light import DEEPEST, fade_picture, strength, under_net
+from landscape.elements.ground import Ground
 from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.frame import Pose
@@ -21,30 +22,31 @@ NOON = BEST.sun
 EYE = Pose(5.5, 3.1, 28.75, 0.0, -90.0)  # straight above a sand bank
 
 
-def ground(stage: Stage, caustics: bool, kt: float = 40.0) -> tuple[np.ndarray, Island]:
-    """Return the picture of the bare ground from above, int64 (h, w, 3), and the island."""
+def ground(stage: Stage, caustics: bool, kt: float = 40.0) -> tuple[np.ndarray, Ground]:
+    """Return the picture of the bare ground from above, int64 (h, w, 3), and its height field."""
     settings = with_settings(BEST, {"water.caustics": caustics, "ground.clip": False})
     island = Island(settings, Assets(), only=("ground",))
     with stage.borrowed():
         island.draw(Moment(EYE, SIZE, kt))
         picture = stage.read()
+        surface = island.ground
     island.release()
-    return picture, island
+    return picture, surface
 
 
-def depths(island: Island) -> np.ndarray:
+def depths(surface: Ground) -> np.ndarray:
     """Return how deep the ground is under each pixel, float (h, w); below 0 on land."""
     width, height = SIZE
     column, row = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
     scale = (3.1 - BEST.water.level) * np.tan(np.radians(30.0)) / (height / 2)
     x, z = EYE.x + (column - width / 2) * scale, EYE.z + (row - height / 2) * scale
-    return np.asarray(BEST.water.level - island.ground.terrain_height(x, z))
+    return np.asarray(BEST.water.level - surface.terrain_height(x, z))
 
 
 def test_the_net_lies_on_the_bed_of_shallow_water_and_nowhere_else(stage: Stage) -> None:
-    plain, island = ground(stage, False)
+    plain, surface = ground(stage, False)
     lit, _ = ground(stage, True)
-    depth, changed = depths(island), np.abs(lit - plain).max(axis=2)
+    depth, changed = depths(surface), np.abs(lit - plain).max(axis=2)
     assert (depth < -0.02).mean() > 0.02 and (depth > DEEPEST + 0.05).mean() > 0.02
     assert changed[depth < -0.02].max() <= 1, "land"
     assert changed[depth > DEEPEST + 0.05].max() <= 1, "deep water"
@@ -54,10 +56,10 @@ def test_the_net_lies_on_the_bed_of_shallow_water_and_nowhere_else(stage: Stage)
 
 
 def test_the_net_moves(stage: Stage) -> None:
-    first, island = ground(stage, True)
+    first, surface = ground(stage, True)
     later, _ = ground(stage, True, kt=60.0)
     moved = np.abs(later - first).max(axis=2)
-    assert moved.max() > 30 and moved[depths(island) < -0.02].max() <= 1
+    assert moved.max() > 30 and moved[depths(surface) < -0.02].max() <= 1
 
 
 @pytest.mark.seldom(4, first=3)

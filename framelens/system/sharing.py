@@ -29,13 +29,13 @@ if sys.platform == "win32":
 
         def __init__(self, size: int) -> None:
             """OSError where the system has none."""
-            self.__setstate__({"size": size, "name": f"landscape-{uuid.uuid4()}"})
+            self.__setstate__((size, f"landscape-{uuid.uuid4()}"))
 
-        def __getstate__(self) -> dict[str, object]:
-            return {"size": self._size, "name": self._name}
+        def __getstate__(self) -> tuple[int, str]:
+            return self._size, self._name
 
-        def __setstate__(self, state: dict[str, object]) -> None:
-            self._size, self._name = state["size"], state["name"]
+        def __setstate__(self, state: tuple[int, str]) -> None:
+            self._size, self._name = state
             self.memory = mmap.mmap(-1, self._size, self._name)
 
         def close(self) -> None:

@@ -7,6 +7,7 @@ from concurrent.futures import Executor
 from contextlib import closing
 from importlib import import_module
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 from PIL import Image
@@ -100,7 +101,7 @@ QUALITY = 85
 MADE_FROM = "Made from"  # keyword of the text in a PNG that says what it was made from
 
 
-Asset = np.ndarray | tuple[np.ndarray, ...] | str  # pixels; what ply() takes; text
+Asset: TypeAlias = np.ndarray | tuple[np.ndarray, ...] | str  # pixels; what ply() takes; text
 
 
 def table() -> dict[str, Callable[[], Asset]]:
