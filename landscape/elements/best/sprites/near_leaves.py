@@ -23,10 +23,10 @@ from landscape.elements.best.sprites.individuals import OAK, OAK_LEANING, OAK_TA
 from landscape.frame import Frame
 
 LEAFY = (OAK, OAK_LEANING, OAK_TALL, OAK_YOUNG)  # pictures that get sprays
-TREES, SPRAYS = 3, 2800  # chosen: the nearest trees, and the sprays of each
+TREES, SPRAYS = 3, 4500  # chosen: the nearest trees, and the sprays of each
 REACH, WHOLE = 0.55, 0.25  # chosen: units away at which the first sprays stand, and all of them
-SIDE = 0.029  # chosen: side of a spray of mean size, times the tree's width
-DEEP = 0.05  # chosen: how far sprays stand before and behind the picture, times the tree's width
+SIDE = 0.017  # chosen: side of a spray of mean size, times the tree's width
+DEEP = 0.03  # chosen: how far sprays stand before and behind the picture, times the tree's width
 BESIDE = 5  # chosen: texels around a bough that sprays leave free
 CELL = 128  # texels per side of a spray's picture; there are two times two
 LEAVES = 11  # chosen: leaves of a spray
