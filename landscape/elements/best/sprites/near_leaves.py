@@ -23,16 +23,18 @@ from landscape.elements.best.sprites.individuals import OAK, OAK_LEANING, OAK_TA
 from landscape.frame import Frame
 
 LEAFY = (OAK, OAK_LEANING, OAK_TALL, OAK_YOUNG)  # pictures that get sprays
-TREES, SPRAYS = 3, 4500  # chosen: the nearest trees, and the sprays of each
+TREES, SPRAYS = 3, 5000  # chosen: the nearest trees, and the sprays of each
 REACH, WHOLE = 0.55, 0.25  # chosen: units away at which the first sprays stand, and all of them
-SIDE = 0.017  # chosen: side of a spray of mean size, times the tree's width
-DEEP = 0.03  # chosen: how far sprays stand before and behind the picture, times the tree's width
-BESIDE = 5  # chosen: texels around a bough that sprays leave free
+SIDE = 0.010  # chosen: side of a spray of mean size, times the tree's width
+DEEP = 0.01  # chosen: how far sprays stand before and behind the picture, times the tree's width
+BESIDE = 5  # chosen: texels beside a bough, and inside the outline, that sprays leave free
+BLENDED = 4  # chosen: texels around a spray of whose colours its own is the mean
 CELL = 128  # texels per side of a spray's picture; there are two times two
 LEAVES = 11  # chosen: leaves of a spray
-SHOWN = 0.45  # chosen: alpha from which a texel is drawn
+SHOWN = 0.40  # chosen: alpha from which a texel is drawn
 BRIGHTER = 1.14  # as the leaves' picture is not white
-THROUGH = np.array([34.0, 38.0, 2.0])  # chosen: light that leaves let through, of 255
+THROUGH = np.array([8.5, 9.5, 0.5])  # chosen: light that leaves let through, of 255
+GLOWING = 0.11  # chosen: by how much of their own colour such leaves are brighter
 
 
 @dataclass(frozen=True)
@@ -53,12 +55,14 @@ class Sprays:
 
 
 def leafy(picture: np.ndarray) -> np.ndarray:
-    """Return where a picture (h, w, 4) shows leaves, and no bough beside them: bool (h, w)."""
+    """Return where a picture (h, w, 4) shows leaves, with no bough or sky beside: bool (h, w)."""
     red, green, blue, alpha = (picture[..., k].astype(int) for k in range(4))
     leaf = (alpha > 150) & (green > red + 6) & (green > blue + 14)
     bark = Image.fromarray(((alpha > 150) & (red > green - 4) & (red > 22)).astype(np.uint8) * 255)
     boughs = np.asarray(bark.filter(ImageFilter.BoxBlur(BESIDE))) > 127
-    return np.asarray(leaf & ~boughs)
+    tree = Image.fromarray((alpha > 150).astype(np.uint8) * 255)
+    inside = np.asarray(tree.filter(ImageFilter.BoxBlur(BESIDE))) > 250
+    return np.asarray(leaf & ~boughs & inside)
 
 
 def sprays_of(picture: np.ndarray, seed: int) -> Sprays:
@@ -75,7 +79,10 @@ def sprays_of(picture: np.ndarray, seed: int) -> Sprays:
     size = np.exp(rng.normal(0.0, 0.28, count))[:, None]
     across = np.stack([np.cos(turn) * np.cos(yaw), np.sin(turn), np.cos(turn) * np.sin(yaw)], 1)
     along = np.stack([-np.sin(turn), np.cos(turn) * np.cos(pitch), np.sin(pitch)], 1)
-    colours = picture[rows, columns, :3] * rng.normal(1.0, 0.10, (count, 1))
+    # A spray in the colour of one texel would be a speck of light or shade beside its neighbours.
+    opaque = Image.fromarray(np.ascontiguousarray(picture[..., :3]))
+    around = np.asarray(opaque.filter(ImageFilter.BoxBlur(BLENDED)))
+    colours = around[rows, columns] * rng.normal(1.08, 0.09, (count, 1))
     return Sprays(
         places,
         colours,
@@ -180,7 +187,7 @@ def spray_colours(sprays: Sprays, count: int, tint: np.ndarray, against: float) 
     """
     through = against * sprays.through[:count, None]
     colours = np.full((count, 4), 255, np.uint8)
-    found = BRIGHTER * sprays.colours[:count] * tint * (1.0 + 0.45 * through) + through * THROUGH
+    found = BRIGHTER * sprays.colours[:count] * tint * (1.0 + GLOWING * through) + through * THROUGH
     colours[:, :3] = np.clip(found, 0.0, 255.0)
     return colours
 
