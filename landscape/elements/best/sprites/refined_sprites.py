@@ -14,7 +14,6 @@ Techniques, all by vertices and vertex alpha, still in one sort and one glDrawEl
 - ``transparent.fade``, ``clear_near``, ``min_pixels``: alpha towards the radius, near the eye, and
   where a sprite is only a few pixels high; ``plants.crossed_within``: far plants are billboards.
 - ``transparent.trimmed``: quads end where the picture does, and what is out of view is not sent.
-- ``trees.variety``: oaks close to the eye have leaves before their pictures (:mod:`near_leaves`).
 - ``transparent.rooted``: feet sink a little on slopes; ``plants.shaded``: plants in the ground's
   shadows are darker; ``trees.grouped``, ``plants.species``: see :mod:`planting`.
 
@@ -35,12 +34,6 @@ from framelens.gl.texture import Texture
 from landscape.elements.atlas import CELL, CELLS, GUTTER, mip_levels, read_cells
 from landscape.elements.best.sprites import individuals
 from landscape.elements.best.sprites.choice import LaidOut
-from landscape.elements.best.sprites.near_leaves import (
-    LEAFY,
-    REACH,
-    NearLeaves,
-    spray_sheet,
-)
 from landscape.elements.best.sprites.refined_atlas import (
     bled_levels,
     outlines,
@@ -146,7 +139,6 @@ class RefinedSprites(Element[Settings]):
 
         self._texture = Texture(levels, repeat=False, trilinear=settings.transparent.trilinear)
         self._topped = False
-        self._near_leaves: NearLeaves | None = None
 
     def stand(self, sprites: TintedSprites) -> None:
         """Place these sprites on the island, and no others."""
@@ -228,30 +220,7 @@ class RefinedSprites(Element[Settings]):
             with client_arrays(vertices, None, tints, [coordinates]):
                 gl.glDrawElements(gl.GL_TRIANGLES, indices.size, gl.GL_UNSIGNED_INT, indices)
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
-        varied = (
-            settings.trees.variety and settings.trees.grouped and self._rows == individuals.ROWS
-        )
-        if varied and settings.transparent.textured and not frame.mirrored:
-            self._draw_near_leaves(frame)
-
-    def _draw_near_leaves(self, frame: Frame) -> None:
-        """Draw sprays of leaves before the pictures of trees that the eye is close to."""
-        trees = np.isin(self.sprites.pictures, LEAFY)
-        apart = self.sprites.positions[trees][:, ::2] - frame.eye[[0, 2]]
-        if self._view is None or not (np.abs(apart).max(axis=1) < REACH).any():
-            return
-        if self._near_leaves is None:
-
-            def make() -> tuple[np.ndarray, ...]:
-                cells = self._cells()
-                return spray_sheet(), *(cells[number] for number in LEAFY)
-
-            self._near_leaves = NearLeaves(*recall(["near leaves", *self._contents], make))
-        self._near_leaves.draw(frame, *self._view.billboards_near(frame, self.settings))
 
     def release(self) -> None:
-        """Delete the textures; may be called twice."""
+        """Delete the atlas; may be called twice."""
         self._texture.release()
-        if self._near_leaves is not None:
-            self._near_leaves.release()
-            self._near_leaves = None

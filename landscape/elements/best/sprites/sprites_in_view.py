@@ -271,23 +271,6 @@ class SpritesInView:
         colours[others] = lit(choice.colours[others], light)
         return colours
 
-    def billboards_near(
-        self, frame: Frame, settings: Settings
-    ) -> tuple[Choice, np.ndarray, np.ndarray, np.ndarray]:
-        """Return the choice, and of each of its billboards what near leaves need (near_leaves.py).
-
-        That is its axis to the right (n, 3), whether its picture is mirrored, and its mean light
-        (n, 3).
-        """
-        choice = self.choice(frame, settings)
-        quads = self._quads(frame, settings, choice).astype(float)
-        right = quads[:, 1] - quads[:, 0]
-        right /= np.maximum(np.linalg.norm(right, axis=1, keepdims=True), 1e-9)
-        light = corner_light(settings.sun, frame, settings.transparent.sunward)
-        mean = np.ones(3) if light is None else light.mean(axis=0)
-        lights = np.broadcast_to(mean, (len(right), 3))
-        return choice, right, self._all.flipped[choice.which], lights
-
     def _crossed(
         self,
         frame: Frame,
