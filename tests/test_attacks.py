@@ -60,6 +60,23 @@ def by_c(path):
     if file >= 0 and C.read(file, data, len(data)) > 0:
         leak(data.value[:30])
 """
+
+
+def sent(answer: dict[str, Any]) -> str:
+    """Return a program that writes an answer into whatever leads to the grader, and ends."""
+    return f"""
+import json, stat, struct
+text = json.dumps({answer!r}).encode()
+for file in range(3, 64):
+    try:
+        if stat.S_ISFIFO(os.fstat(file).st_mode):
+            os.write(file, struct.pack(">Q", len(text)) + text)
+    except OSError:
+        pass
+C._exit(0)
+"""
+
+
 DEFECT = "says that the grader has a defect"
 ATTACKS = {
     "makes files that nobody can delete": """
@@ -300,17 +317,9 @@ for file in Path(os.environ["MESA_SHADER_CACHE_DIR"]).rglob("*"):
     if not target.startswith(os.environ["TMPDIR"]) and C.open(target.encode(), 2) >= 0:
         leak(target)
 """,
-    "says that nothing contains it": """
-import json, stat, struct
-text = json.dumps({"uncontained": "no system", "no_opengl": "none", "blobs": []}).encode()
-for file in range(3, 64):
-    try:
-        if stat.S_ISFIFO(os.fstat(file).st_mode):
-            os.write(file, struct.pack(">Q", len(text)) + text)
-    except OSError:
-        pass
-C._exit(0)
-""",
+    "says that nothing contains it": sent(
+        {"uncontained": "no system", "no_opengl": "none", "blobs": []}
+    ),
     "looks for all other processes": """
 for entry in range(1, os.getpid() + 100):
     for name in ("environ", "mem", "maps", "cmdline", "stat", "task", "fd", "root/etc", "exe"):
@@ -353,17 +362,7 @@ if os.uname().machine == "x86_64":  # mov eax, 5; mov ebx, path; xor ecx, ecx; i
     if ctypes.CFUNCTYPE(ctypes.c_int)(begin)() >= 0:
         leak("open of 32 bits")
 """,
-    DEFECT: """
-import json, stat, struct
-text = json.dumps({"trouble": "Traceback", "blobs": []}).encode()
-for file in range(3, 64):
-    try:
-        if stat.S_ISFIFO(os.fstat(file).st_mode):
-            os.write(file, struct.pack(">Q", len(text)) + text)
-    except OSError:
-        pass
-C._exit(0)
-""",
+    DEFECT: sent({"trouble": "Traceback", "blobs": []}),
 }
 
 

@@ -211,6 +211,7 @@ def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     assert "\n" + " " * 21 + "Lessons to read first: orientation.\n" in (
         landscape("exercise", "list", "--lang", "en").out
     )
+
     place = {"cwd": tmp_path}
     begun = landscape("exercise", "start", "winding", "--lang", "en", **place)
     mine = tmp_path / "winding.py"
@@ -218,12 +219,14 @@ def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     mine.write_text(mine.read_text() + "# mine\n")
     refused(landscape("exercise", "start", "winding", **place), "winding.py", "already")
     assert mine.read_text().endswith("# mine\n")
+
     words = ("exercise", "check", mine, "--seconds", PATIENCE, "--lang", "en")
     done = landscape(*map(str, words), "--heat-map", str(tmp_path / "map.png"))
     assert done.status == 1 and done.err == ""
     assert re.search(r"^failed +Every triangle is counter-clockwise from outside$", done.out, re.M)
     assert re.search(r"^not checked  The picture is right$", done.out, re.M)
     assert done.out.splitlines()[-1].startswith(str(tmp_path / "map.png"))
+
     heat = np.asarray(Image.open(tmp_path / "map.png"))
     assert heat.shape == (480, 3 * 640 + 16, 3)
     hot = heat[:, 648:1288].max(axis=2) > 150
@@ -232,6 +235,7 @@ def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     done = landscape(*map(str, words))
     command = f"exercise check {quoted(str(mine))} --heat-map difference.png"
     assert done.out.splitlines()[-1].endswith(command)
+
     mine.write_text(HEAD + "1 / 0\n")
     done = landscape(*map(str, words), "--json")
     assert done.status == 2 and "winding.py: line 5" in done.err and done.err.count("\n") == 1

@@ -211,6 +211,7 @@ def test_reports_name_their_moments(assets: Path) -> None:
             whole = report(tape)
             assert next(whole.as_text()) == "state after the frame"
             assert whole.as_json()["GL_FOG_DENSITY"] == 0.12
+
             initial = report(tape, "castle", "initial")
             first = next(call for call in tape.frame if "castle" in call.shared_by)
             line = next(initial.as_text())
@@ -218,15 +219,18 @@ def test_reports_name_their_moments(assets: Path) -> None:
             assert "castle, main pass, landscape/elements/castle.py:" in line
             assert initial.as_json()["GL_FOG"] == [False, True]
             assert initial.as_json().keys() == changed(state_at(tape, str(first.number))).keys()
+
             between = report(tape, str(first.number), str(first.number + 1))
             assert len(between.as_json()) < 10
             since = report(tape, diff=str(first.number)).as_json()
             assert since["GL_DEPTH_TEST"] == [False, True]
             assert report(tape, "+3").parts == report(tape, str(tape.begin + 3)).parts
             assert report(tape, diff="+3").parts == report(tape, diff=str(tape.begin + 3)).parts
+
             leak = report(tape, diff="castle")
             assert list(leak.as_text()) == ["castle leaves, main pass", "    nothing differs"]
             assert leak.as_json() == {}
+
             for wrong in ("99999", "0", "moon", "1.2.x"):
                 with pytest.raises(InputError, match=wrong):
                     report(tape, wrong)

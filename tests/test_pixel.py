@@ -102,6 +102,7 @@ def tests_at_one_pixel(stage: Stage) -> Iterator[list[Row]]:
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             quad(0.25)
+
         with unnoted():
             rows = history(Tape(recorder.calls, 0, start, size), size[0] // 2, size[1] // 2)
             state.restore(start)
@@ -145,6 +146,7 @@ def lit_rows(stage: Stage, light: tuple[float, ...]) -> list[Row]:
                 gl.glMatrixMode(matrix)
                 gl.glLoadIdentity()
             gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT)
+
             gl.glEnable(gl.GL_LIGHTING)
             gl.glEnable(gl.GL_LIGHT0)
             gl.glLightModelfv(gl.GL_LIGHT_MODEL_AMBIENT, four(0.1, 0.1, 0.1, 1.0))
@@ -154,6 +156,7 @@ def lit_rows(stage: Stage, light: tuple[float, ...]) -> list[Row]:
             gl.glMaterialfv(gl.GL_FRONT, gl.GL_AMBIENT, four(0.5, 0.5, 0.5, 1.0))
             gl.glMaterialfv(gl.GL_FRONT, gl.GL_DIFFUSE, four(1.0, 0.5, 0.25, 1.0))
             gl.glMaterialfv(gl.GL_FRONT, gl.GL_EMISSION, four(0.0, 0.0, 0.2, 1.0))
+
             gl.glBegin(gl.GL_QUADS)
             gl.glNormal3f(0.6, 0.0, 0.8)
             for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):

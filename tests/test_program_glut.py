@@ -194,6 +194,7 @@ def test_events_reach_the_callbacks(watch: Watcher, write: Write) -> None:
         glutMainLoop()
         """
     )
+
     events = [
         {"frame": 1, "move": [10, 20]},
         {"frame": 1, "key": "w"},
@@ -208,6 +209,7 @@ def test_events_reach_the_callbacks(watch: Watcher, write: Write) -> None:
         {"frame": 2, "resize": [100, 60]},
         {"frame": 4, "close": True},
     ]
+
     seen = watch(path, 3, events=events)
     assert seen.err.splitlines() == [
         *("reshape 64 48", "passive 10 20", "key b'w' 10 20 0", "key up b'w' 10 20"),

@@ -101,6 +101,7 @@ def test_events_are_got_and_asked_for(watch: Watcher, write: Write) -> None:
         print(pygame.event.wait().type == VIDEOEXPOSE, pygame.event.poll().type == NOEVENT)
         """
     )
+
     events = [
         {"frame": 1, "key": "UP", "mods": ["shift"]},
         {"frame": 2, "key": "UP", "action": "release"},
@@ -109,6 +110,7 @@ def test_events_are_got_and_asked_for(watch: Watcher, write: Write) -> None:
         {"frame": 3, "resize": [80, 40]},
         {"frame": 3, "close": True},
     ]
+
     lines = watch(path, 9, events=events).err.splitlines()
     assert lines[0] == "False (0, 0) False (0, 0) 0"
     assert lines[1].startswith("1 KeyDown {'key': 1073741906, 'mod': 1, 'unicode': ''")

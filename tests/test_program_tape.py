@@ -114,10 +114,12 @@ for draw in (first, second, third):
 glfw.swap_buffers(window)
 """
     )
+
     names = ["a/draw.py:3", "b/draw.py:3", "../common/draw.py:3"]
     assert [
         call["source"] for call in landscape("trace", folder / "program.py", "--json").json()
     ] == names
+
     link = tmp_path / "link"
     link.symlink_to(folder, target_is_directory=True)
     assert [

@@ -67,6 +67,7 @@ def test_submissions_are_found_in_a_zip_as_moodle_makes_it(tmp_path: Path) -> No
             "__MACOSX/._fog.py": "rubbish",
         },
     )
+
     found = submissions([path])
     assert [(each.student, each.id, each.data) for each in found] == [
         ("Ada", "2", b"ada"),
@@ -389,6 +390,7 @@ def test_a_worksheet_changes_in_two_columns_and_nowhere_else() -> None:
         "2": moodle.Mark("10", ""),
         "5": moodle.Mark("1", "absent"),
     }
+
     filled, absent = moodle.filled(sheet, marks, "sheet.csv")
     assert absent == ["5"]
     assert filled.decode().split("\r\n") == [
@@ -398,9 +400,11 @@ def test_a_worksheet_changes_in_two_columns_and_nowhere_else() -> None:
         lines[3],
         "",
     ]
+
     french = "Identifiant,Nom complet,Note,Feedback par commentaires\nParticipant 2,Ada,,\n"
     filled, absent = moodle.filled(french.encode(), marks, "f.csv")
     assert filled.decode().splitlines()[1] == "Participant 2,Ada,10,"
+
     with pytest.raises(InputError, match=r"sheet\.csv: expected a grading worksheet"):
         moodle.filled(b"a,b\n1,2\n", marks, "sheet.csv")
     with pytest.raises(InputError, match=r"sheet\.csv: expected a grading worksheet"):

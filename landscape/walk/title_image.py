@@ -32,8 +32,8 @@ class Drawn:
     """The title's picture, uint8 (h, w, 4), and which rows of the window each entry fills.
 
     ``places`` are (first, end) in pixels from the top, by the entry's number; ``width`` is how far
-    they reach from the left. ``first`` is the number of the first entry that is shown; what is
-    beyond is announced by a sign, whose place is that of the next entry there.
+    they reach from the left. ``first`` is the number of the first entry shown. Where entries
+    are left out, a row says how many; it fills the place of the nearest of them.
     """
 
     image: np.ndarray

@@ -171,6 +171,7 @@ def tried(kind: str, times: int, chance: random.Random) -> list[str]:
         new = {name: (folder / name).read_bytes() for name in (*names, *parts)}
         for part in parts:
             (folder / part).unlink()
+
         longest = complete(work, folder)
         for number in range(times):
             for name in names:
@@ -178,12 +179,14 @@ def tried(kind: str, times: int, chance: random.Random) -> list[str]:
             for part in parts:
                 if chance.random() < 0.5:
                     (folder / part).unlink(missing_ok=True)
+
             pid = begun(work, folder)
             time.sleep(chance.uniform(0, longest * 1.1))
             os.kill(pid, signal.SIGKILL)
             os.waitpid(pid, 0)
             if processes := outlived(pid):
                 wrong.append(f"{kind} {number}: processes are left: {processes}")
+
             for name in names:
                 data = (folder / name).read_bytes() if (folder / name).exists() else b""
                 if data not in (EARLIER, new[name]):
@@ -192,11 +195,13 @@ def tried(kind: str, times: int, chance: random.Random) -> list[str]:
             for part in filter(lambda part: (folder / part).exists(), parts):
                 if (folder / part).read_bytes() != new[part]:
                     wrong.append(f"{kind} {number}: {part} is not whole")
+
             if number % OFTEN == OFTEN - 1 or number == times - 1:
                 complete(work, folder)
                 rubbish = sorted(files_in(folder) - set(new))
                 if rubbish:
                     wrong.append(f"{kind} {number}: left behind: {', '.join(rubbish)}")
+
     print(f"{kind}: {times} kills within {longest:.2f} s: {counts}, {len(wrong)} wrong", flush=True)
     return wrong
 

@@ -216,6 +216,7 @@ class Player:
             ),
             (20, 14, 22, 6, 14, 8, 3, 4, 1, 8),
         )[0]
+
         if what == "hold":
             key = chance.choice(HELD)
             self._down.add(key)
@@ -228,6 +229,7 @@ class Player:
             self._do("key", chance.choice([*TAPPED, *"i" * inspecting]))
         elif what == "several":
             self._do("key", "--delay", 0, *chance.choices(TAPPED, k=chance.randint(2, 5)))
+
         elif what == "move":
             steps = [chance.randint(-200, 200), chance.randint(-120, 120)]
             self._do("mousemove_relative", "--", *steps)
@@ -236,6 +238,7 @@ class Player:
             self._do("click", chance.choice((1, 1, 1, 2, 3)))
         elif what == "wheel":
             self._do("click", "--repeat", chance.randint(1, 4), chance.choice((4, 5)))
+
         elif what == "size":
             shape = chance.choice(SHAPES)
             self._do("windowsize", self._window, *shape)
@@ -247,14 +250,21 @@ class Player:
             time.sleep(0.3)
             self._do("windowactivate", self._window)
         elif what == "escape":
-            # Where nothing is open it would end the walk: what was done before must have shown.
-            begun, end = len(watcher.all), time.monotonic() + STUCK / 4
-            while len(watcher.all) < begun + 2 and time.monotonic() < end:
-                time.sleep(0.1)
-                watcher.news()
-            if len(watcher.all) >= begun + 2 and watcher.last.get("escapable"):
-                self._do("key", "Escape")
-                watcher.all[-1] |= {"escapable": False}
+            self._escape(watcher)
+
+    def _escape(self, watcher: Watcher) -> None:
+        """Press Escape where something is open, which it closes.
+
+        Where nothing is it would end the walk: what was done before must have shown.
+        """
+        begun, end = len(watcher.all), time.monotonic() + STUCK / 4
+        while len(watcher.all) < begun + 2 and time.monotonic() < end:
+            time.sleep(0.1)
+            watcher.news()
+
+        if len(watcher.all) >= begun + 2 and watcher.last.get("escapable"):
+            self._do("key", "Escape")
+            watcher.all[-1] |= {"escapable": False}
 
     def end(self) -> None:
         """Let all keys go, and ask the window to close as a user does."""
@@ -277,6 +287,7 @@ def played(
     words = ["flyover", "canyon"] if flies else ["walk", scene, "--record", str(recorded)]
     if scene == "voxel":
         words += ["--world", str(folder / "my.world")]
+
     wrong: list[str] = []
     counted: dict[str, Any] = {}
     with (folder / "stderr.txt").open("w") as errors:
@@ -288,6 +299,7 @@ def played(
             stderr=errors,
             start_new_session=True,
         )
+
     watcher = Watcher(outcome)
     memory: list[tuple[float, float]] = []
     scenes: set[str] = set()
@@ -297,18 +309,22 @@ def played(
         while process.poll() is None and not watcher.all:
             time.sleep(0.1)
             watcher.news()
+
         window = screen.do("search", "--onlyvisible", "--name", "^landscape").split("\n")[0]
         player = Player(screen, window, chance, flies)
         screen.do("windowactivate" if screen.manager else "windowfocus", window)
+
         begun = time.monotonic()
         while process.poll() is None and (spent := time.monotonic() - begun) < 60 * minutes:
             player.act(watcher, spent > 50 * minutes)
             time.sleep(chance.choice((0.02, 0.1, 0.3, 0.8)))
             watcher.news()
+
             memory.append((spent / 60 / minutes, megabytes(process.pid)))
             scenes |= {line["scene"] for line in watcher.all[-20:] if "scene" in line}
             if len(scenes) > known:  # a scene that is entered first takes its memory
                 known, memory = len(scenes), memory[-1:]
+
             quiet = time.monotonic() - watcher.last["at"]
             if quiet > STUCK / 6:  # a full-screen window that lost the focus has gone by itself
                 screen.do("windowactivate" if screen.manager else "windowfocus", window)
@@ -316,12 +332,15 @@ def played(
                 wrong.append(f"no frame for {quiet:.0f} s after frame {watcher.last['frame']}")
                 process.send_signal(signal.SIGUSR1)  # it writes where it is
                 break
+
         if process.poll() is not None:
             wrong.append(f"ended by itself, with status {process.returncode}")
+
         asked = time.monotonic()
         player.end()
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(PATIENCE)
+
         counted["ended_in"] = round(time.monotonic() - asked, 2)
         if process.poll() is None:
             wrong.append(f"did not end within {PATIENCE:g} s")
@@ -333,24 +352,37 @@ def played(
         with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
         process.wait()
+
     watcher.news()
     (folder / "did.txt").write_text("\n".join(player.log) + "\n")
     (folder / "memory.txt").write_text("".join(f"{p:.3f} {mb:.0f}\n" for p, mb in memory))
-    first = memory[0][0] if memory else 0.0
-    early = [mb for part, mb in memory if first < part < first + (1.0 - first) / 2]
-    late = [mb for part, mb in memory if part > first + (1.0 - first) * 0.85]
-    if early and late and first < 0.6:
-        counted["megabytes"] = [round(max(early)), round(max(late))]
-        if max(late) - max(early) > GROWTH:
-            wrong.append(f"grew from {max(early):.0f} to {max(late):.0f} MB")
+    if used := halves(memory):
+        early, late = used
+        counted["megabytes"] = [round(early), round(late)]
+        if late - early > GROWTH:
+            wrong.append(f"grew from {early:.0f} to {late:.0f} MB")
+
     counted |= {"frames": len(watcher.all), "events": len(player.log)}
     if said := (folder / "stderr.txt").read_text():
         wrong.append(f"standard error: {said[:2000]}")
+
     if not flies and not any("did not end" in each for each in wrong):
         found, compared = replayed(recorded, watcher.all, folder, screen)
         wrong += found
         counted["compared"] = compared
     return wrong, counted
+
+
+def halves(memory: list[tuple[float, float]]) -> tuple[float, float] | None:
+    """Return the most megabytes in the first half of a walk, and at its end.
+
+    ``memory`` has the part of the time that had passed, 0..1, and megabytes. None if too little of
+    the walk was measured.
+    """
+    first = memory[0][0] if memory else 0.0
+    early = [mb for part, mb in memory if first < part < first + (1.0 - first) / 2]
+    late = [mb for part, mb in memory if part > first + (1.0 - first) * 0.85]
+    return (max(early), max(late)) if early and late and first < 0.6 else None
 
 
 def replayed(
@@ -359,12 +391,14 @@ def replayed(
     """Replay a recording without a screen; return what differs, and how many were compared."""
     if not recorded.exists():
         return ["nothing was recorded"], 0
+
     outcome = folder / "replay.jsonl"
     words = ["walk", "--replay", str(recorded), "--backend", "osmesa"]
     env = {name: value for name, value in screen.env.items() if name != "DISPLAY"}
     env["LANDSCAPE_CONFIG"] = str(folder / "none")
     done = subprocess.run(command(outcome, words), env=env, cwd=folder, capture_output=True)
     wrong = [f"replay: {done.stderr.decode()[:500]}"] if done.stderr or done.returncode else []
+
     again = Watcher(outcome)
     again.news()
     compared = different = 0
@@ -373,6 +407,7 @@ def replayed(
             break
         if "pose" not in now:
             continue
+
         compared += 1
         # The window may have got its new size while the frame was drawn.
         resized = following.get("size") != now["size"]
@@ -386,6 +421,7 @@ def replayed(
             if different == 1:
                 first = {key: (now[key], then.get(key)) for key in other}
                 wrong.append(f"frame {now['frame']} is replayed otherwise: {first}")
+
     if different:
         wrong.append(f"{different} of {compared} frames are replayed otherwise")
     elif not 0 <= len(again.all) - len(live) <= 1:  # the last one may have been left half-way
