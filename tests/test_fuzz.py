@@ -77,6 +77,22 @@ for kind in inputs.KINDS:
     assert (done.status, done.err) == (0, "")
 
 
+def test_no_kind_comes_twice_though_some_bear_the_name_of_a_reader() -> None:
+    code = """
+import importlib.util
+import sys
+spec = importlib.util.spec_from_file_location("fuzz", sys.argv[1] + "/__main__.py")
+fuzz = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(fuzz)
+kinds, readers = fuzz.chosen(None)
+assert set(kinds) & set(readers)
+assert sorted(kinds) == sorted(fuzz.inputs.KINDS) and sorted(readers) == sorted(fuzz.READERS)
+assert fuzz.chosen("cache,mesh,cache,svg") == (["cache", "mesh"], ["cache", "svg"])
+"""
+    done = python(code, FUZZ)
+    assert (done.status, done.err) == (0, "")
+
+
 KILLED = """
 import sys
 from pathlib import Path

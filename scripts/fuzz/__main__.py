@@ -202,24 +202,36 @@ def report(case: Case, folder: Path, wrong: list[str]) -> None:
     print("\n".join(lines), f"\n    cd {folder} && {shlex.join(command)[:2000]}", flush=True)
 
 
+def chosen(only: str | None) -> tuple[list[str], list[str]]:
+    """Return the kinds of commands and the readers of a list such as "mesh,svg"; None means all.
+
+    A name that is both a kind's and a reader's means both. None comes twice, since an input is
+    named by its kind and a number. Raises ValueError for a name that is neither.
+    """
+    known = {**READERS, **inputs.KINDS}
+    asked = dict.fromkeys(known if only is None else only.split(","))
+    for name in asked:
+        if name not in known:
+            raise ValueError(f"{name}: expected some of {', '.join(known)}")
+    return [name for name in asked if name in inputs.KINDS], [n for n in asked if n in READERS]
+
+
 def main() -> int:
     """Make the inputs, run them, and print the findings and a summary; return the exit status."""
     parser = argparse.ArgumentParser(prog="fuzz", description=__doc__.splitlines()[0])
     parser.add_argument("--seed", type=int, default=random.randrange(10**6), help="default: random")
     parser.add_argument("--minutes", type=float, default=10.0, metavar="N", help="default: 10")
     parser.add_argument("--count", type=int, metavar="N", help="so many inputs of commands instead")
-    kinds_and_readers = [*READERS, *inputs.KINDS]
-    parser.add_argument("--only", metavar="KIND,...", help=", ".join(kinds_and_readers))
+    parser.add_argument("--only", metavar="KIND,...", help=", ".join({**READERS, **inputs.KINDS}))
     parser.add_argument("--input", metavar="KIND-N", help="run only this input of the seed")
     parser.add_argument("--jobs", type=int, default=min(os.cpu_count() or 1, 4), metavar="N")
     parser.add_argument("--folder", type=Path, help="where findings are kept; default: temporary")
     options = parser.parse_args()
 
-    asked = options.only.split(",") if options.only else kinds_and_readers
-    for name in asked:
-        if name not in kinds_and_readers:
-            parser.error(f"{name}: expected some of {', '.join(kinds_and_readers)}")
-    kinds, readers = ([name for name in asked if name in of] for of in (inputs.KINDS, READERS))
+    try:
+        kinds, readers = chosen(options.only)
+    except ValueError as error:
+        parser.error(str(error))
     if options.input:
         kind, _, number = options.input.rpartition("-")
         if kind not in inputs.KINDS or not number.isdigit():
