@@ -2,12 +2,13 @@
 
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from threading import Event
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -121,18 +122,35 @@ def test_a_walk_prepares_sound_where_something_can_play_it(
     assert given == [Speaker if installed else None]
 
 
+def playing(opens: Callable[[], Any]) -> tuple[Hearing, bool]:
+    """Return what hears the second frame of a walk, and whether there is a device."""
+    hearing = Hearing(opens)
+    assert not hearing.plays(1.0)  # the first picture does not wait for it
+    return hearing, hearing.plays(1.0)
+
+
+def test_where_no_device_opens_no_sound_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Soundscape, "prepare", lambda *_: pytest.fail("prepared"))
+    asked = []
+
+    def opens() -> Speaker:
+        asked.append(1)
+        raise OSError("no device")
+
+    hearing, plays = playing(opens)
+    assert not plays
+    for k in range(3):
+        hearing.hear(Heard(FLAME, Ear(0.5, 0.0, 0.0, 0.0, 0.0)), float(k), False)
+        assert not hearing.plays(1.0)
+    assert hearing._preparing is None and asked == [1]
+    hearing.release()
+
+
 def test_without_miniaudio_a_walk_is_silent_and_says_nothing(
     home: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "miniaudio", None)
-    hearing = Hearing(Speaker)
-    here = Heard(FLAME, Ear(0.5, 0.0, 0.0, 0.0, 0.0))
-    assert hearing.plays
-    hearing.hear(here, 0.0, False)
-    prepared(hearing)
-    hearing.hear(here, 0.1, False)
-    assert not hearing.plays
-    hearing.release()
+    assert not playing(Speaker)[1]
     assert capfd.readouterr() == ("", "")
 
 
@@ -165,7 +183,7 @@ class Recorder:
 
 def test_what_is_heard_goes_to_the_speaker_block_by_block_without_a_jump() -> None:
     speaker = Recorder()
-    hearing = Hearing(lambda: speaker)  # type: ignore[arg-type, return-value]
+    hearing, _ = playing(lambda: speaker)
     FLAME.prepare()
     for k in range(60):
         hearing.hear(Heard(FLAME, Ear(0.9 - 0.02 * k, 0.0, 0.1, 3.0 * k, float(k))), k / 25, False)
@@ -180,14 +198,14 @@ def test_what_is_heard_goes_to_the_speaker_block_by_block_without_a_jump() -> No
 
 def test_a_walk_that_begins_muted_opens_no_device() -> None:
     hearing = Hearing(lambda: pytest.fail("opened"))
-    hearing.hear(Heard(FLAME, Ear(0.5, 0.0, 0.0, 0.0, 0.0), volume=0.0), 0.0, False)
+    assert not any(hearing.plays(0.0) for _ in range(3))
     hearing.release()
 
 
 def test_who_leaves_waits_for_the_sound_that_is_being_made_and_for_no_other(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    hearing, begun = Hearing(Speaker), Event()
+    (hearing, _), begun = playing(Recorder), Event()
     made = []
 
     def make(name: str, _: object) -> None:

@@ -15,6 +15,7 @@ from landscape.voxel.fresnel import fresnel_faces
 from landscape.voxel.settings import PICTURES
 
 SHORE = (4.8, 0.95, 9.3, 0.0, -2.0)  # land behind water
+BEHIND_LAND = (4.69, 0.95, 7.76, 336.26, -23.9)  # hills hide the sea
 
 
 @contextmanager
@@ -91,8 +92,23 @@ def test_a_pass_s_texture_can_be_seen_alone(name: str) -> None:
 
 
 def test_a_picture_that_is_not_drawn_is_not_shown() -> None:
-    with opened((4.8, 1.5, 4.8, 0.0, 60.0), debug__picture="reflection") as view:  # no water
+    no_water = (4.8, 1.5, 4.8, 0.0, 60.0)
+    with opened(no_water, debug__picture="reflection") as view:
         assert len(np.unique(view.draw().reshape(-1, 3), axis=0)) == 1
+
+
+@pytest.mark.parametrize("end", [BEHIND_LAND, (4.8, 1.5, 4.8, 0.0, 60.0)])
+def test_textures_that_are_shown_are_those_of_the_frame_whatever_was_seen_before(
+    end: tuple[float, ...],
+) -> None:
+    with opened(end, debug__textures=True) as view:
+        alone = view.draw()
+        view.look(SHORE)
+        shore = view.draw()
+        view.look(end)
+        after = [view.draw() for _ in range(2)]
+    assert (shore != alone).any()
+    assert (after[0] == alone).all() and (after[1] == alone).all()
 
 
 @pytest.mark.seldom(8, first=5)

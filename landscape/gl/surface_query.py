@@ -74,12 +74,12 @@ class SurfaceQuery:
             self._list.call()
             gl.glEndQuery(gl.GL_SAMPLES_PASSED)
 
-    def shows(self) -> bool:
-        """Return whether it may show; waits for the answer unless it showed before.
+    def shows(self, wait: bool = False) -> bool:
+        """Return whether it may show; waits for the answer unless it showed before, or ``wait``.
 
         While a display list is being compiled no query is possible: the last answer is used.
         """
-        if self._asked and not self._shows and not compiling():
+        if self._asked and (wait or not self._shows) and not compiling():
             self._shows, self._asked = self._answer() > 0, False
         return self._shows
 

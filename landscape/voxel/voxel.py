@@ -155,6 +155,12 @@ class Voxel(Played, Ground, OfElements[Settings]):
         return self.water if "water" in self.shown else None
 
     @property
+    def _shows_textures(self) -> bool:
+        """Whether textures of the passes are shown by themselves."""
+        debug = self.settings.debug
+        return debug.textures or debug.picture != "none"
+
+    @property
     def shadow(self) -> ShadowMap | None:
         """The sun's picture of the land around the eye, if the sun casts shadows."""
         return self.elements.get(ShadowMap)
@@ -181,7 +187,8 @@ class Voxel(Played, Ground, OfElements[Settings]):
             self._draw_land(frame, clip, part, behind_hills=moment.wireframe or self._under)
         if not self._under:  # or the surface is in front of all of it
             self.elements.draw("sky", frame)
-        if water and shore and self._visible(frame, water):
+        visible = water is not None and shore is not None and self._visible(frame, water)
+        if water and shore and visible:
             self._draw_images(frame, clip, water)
             begin_pass("water")
             with drawing("water"):
@@ -191,7 +198,7 @@ class Voxel(Played, Ground, OfElements[Settings]):
 
         begin_pass("overlay")
         self.draw_aim(frame)
-        self._draw_debug(frame, clip)
+        self._draw_debug(frame, clip, visible)
         if not values.debug.textures:  # it would cover the last of them
             self.elements.draw("sword", frame)
         self.elements.draw("map", frame)
@@ -294,10 +301,13 @@ class Voxel(Played, Ground, OfElements[Settings]):
             yield shadow, choice.only(near)
         yield far_shadow, choice.only(~near)
 
-    def _draw_debug(self, frame: Frame, clip: np.ndarray) -> None:
-        """Draw what one may look at besides the picture: regions and textures."""
+    def _draw_debug(self, frame: Frame, clip: np.ndarray, water_drawn: bool) -> None:
+        """Draw what one may look at besides the picture: regions and textures.
+
+        Without ``water_drawn`` the water's pictures are those of an earlier frame, and not shown.
+        """
         values, land = self.settings.debug, self.land
-        textures = values.textures or values.picture != "none"
+        textures = self._shows_textures
         if not values.regions:
             self.outside.release()
         if "land" not in self.shown or not (values.regions or values.edges or textures):
@@ -318,7 +328,7 @@ class Voxel(Played, Ground, OfElements[Settings]):
             if values.edges:
                 draw_edges(land, choice)
             if textures:
-                images = self.water.images if self.water else None
+                images = self.elements[Water].images if water_drawn else None
                 pictures = {
                     "reflection": images.reflection if images else None,
                     "refraction": images.refraction if images else None,
@@ -361,7 +371,8 @@ class Voxel(Played, Ground, OfElements[Settings]):
         with drawing("water"):
             query.expected(frame)
             query.ask(frame)
-            return bool(query.shows())
+            # Whether the water's pictures are shown must not depend on what was seen before.
+            return bool(query.shows(wait=self._shows_textures))
 
     def _draw_images(self, frame: Frame, clip: np.ndarray, water: Water) -> None:
         """Draw the pictures of what the water mirrors, and of what lies under it.

@@ -36,7 +36,7 @@ from landscape.walk import pad, words
 from landscape.walk.builder import SWITCHES, Builder, WorldFile
 from landscape.walk.digits import help_rows, hint, pressed
 from landscape.walk.hands import Hands
-from landscape.walk.hearing import Hearing, captioned, heard
+from landscape.walk.hearing import Hearing, captioned, heard, loudness
 from landscape.walk.keys import SETTINGS
 from landscape.walk.landmarks import Found, Search, title_of
 from landscape.walk.landmarks_list import LandmarksList, Teller, nothing_told
@@ -547,7 +547,7 @@ class Walk:
     def _hear(self) -> None:
         """Let the walker hear this frame, and see in words what he hears if he wants to."""
         shown = captioned(self.place.settings)
-        if shown or self.hearing.plays:
+        if self.hearing.plays(loudness(self.place.settings)) or shown:
             now = heard(self.place, self.walker, self.kt, self._builder)
             self.hearing.hear(now, self.seconds, shown)
         else:

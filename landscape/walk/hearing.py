@@ -6,6 +6,7 @@ Recordings contain no sound: it follows from the walk, as pictures do.
 
 import time
 from collections.abc import Callable, Hashable
+from contextlib import suppress
 from threading import Event, Thread
 
 import numpy as np
@@ -28,7 +29,6 @@ KEPT = 4.0  # chosen: seconds of the past that captions may need
 
 def heard(place: Place, walker: Walker, kt: float, builder: Builder) -> Heard:
     """Return what there is to hear at a moment of a walk, in an open place."""
-    sound = place.settings.sound
     return Heard(
         place.soundscape(),
         Ear(walker.x, walker.y, walker.z, walker.yaw, kt),
@@ -36,8 +36,14 @@ def heard(place: Place, walker: Walker, kt: float, builder: Builder) -> Heard:
         walker.stroke,
         builder.changed["dig"],
         builder.changed["place"],
-        0.0 if sound.muted else sound.volume,
+        loudness(place.settings),
     )
+
+
+def loudness(settings: SceneSettings) -> float:
+    """Return how loud the sound is, 0 while it is muted."""
+    sound = settings.sound
+    return 0.0 if sound.muted else sound.volume
 
 
 def captioned(settings: SceneSettings) -> bool:
@@ -52,6 +58,7 @@ class Hearing:
     def __init__(self, open_speaker: Callable[[], Speaker] | None) -> None:
         """Open nothing yet; ``open_speaker`` opens a device, None is for a walk without one."""
         self._open = open_speaker
+        self._frames = 0
         self._speaker: Speaker | None = None
         self._preparing: Thread | None = None
         self._released = Event()
@@ -66,10 +73,17 @@ class Hearing:
         """What is heard, in words."""
         return self._lines
 
-    @property
-    def plays(self) -> bool:
-        """Whether there is a device, or may be one."""
-        return self._speaker is not None or self._open is not None
+    def plays(self, volume: float) -> bool:
+        """Return whether there is a device; it is opened at the second frame with a ``volume``.
+
+        The first frame does not wait for it, and a walk that begins muted opens none.
+        """
+        opens, self._frames = self._open, self._frames + 1
+        if opens is not None and volume > 0.0 and self._frames > 1:
+            self._open = None
+            with suppress(OSError):
+                self._speaker = opens()
+        return self._speaker is not None
 
     def hear(self, now: Heard, seconds: float, captioned: bool) -> None:
         """Take note of a frame, ``seconds`` after the walk began; ``captioned``: in words, too."""
@@ -94,23 +108,17 @@ class Hearing:
             self._captions, self._lines = Score(), ()
 
     def _ready(self, now: Heard) -> Speaker | None:
-        """Return the speaker if there is one; the first sounds are made or read beside the walk."""
-        if self._open is None or self._speaker is not None:
-            return self._speaker
-        if now.volume == 0.0:  # a walk that begins muted opens no device
+        """Return the speaker, once the first sounds have been made or read, beside the walk.
+
+        Without a device none are made.
+        """
+        if self._speaker is None:
             return None
         if self._preparing is None:
             stopped = (self._released.is_set,)
             self._preparing = Thread(target=now.soundscape.prepare, args=stopped, daemon=True)
             self._preparing.start()
-        if self._preparing.is_alive():
-            return None
-        opened, self._open = self._open, None
-        try:
-            self._speaker = opened()
-        except OSError:
-            return None
-        return self._speaker
+        return None if self._preparing.is_alive() else self._speaker
 
     def picture(
         self, language: str, size: tuple[int, int], dpi: float
