@@ -5,8 +5,10 @@
 
 It needs Xvfb and xdotool; where openbox or another window manager is installed, it runs there, too.
 Each scene is walked in a process of its own, which knows nothing of it, by keys that are held and
-tapped, the mouse, its buttons and its wheel, windows of all shapes, a lost focus, and lists that
-are opened and shut. The fly-over is flown the same way. It is a finding if the process
+tapped, the mouse, its buttons and its wheel, a gamepad, windows of all shapes, a lost focus, and
+lists that are opened and shut. The fly-over is flown the same way, without the gamepad: its states
+are read from a file in the place of GLFW, which finds no gamepad in an Xvfb. It is a finding if the
+process
 
 - writes to standard error, or ends with another status than 0;
 - shows no frame for STUCK seconds, or does not end within PATIENCE seconds of being asked to;
@@ -22,6 +24,7 @@ import contextlib
 import faulthandler
 import hashlib
 import json
+import math
 import os
 import random
 import shutil
@@ -39,6 +42,7 @@ REPOSITORY = HERE.parents[1]
 SCENES = ("island", "hall", "voxel", "flyover")
 SCREEN = 1920, 1080
 MANAGERS = "openbox", "icewm", "xfwm4"  # Alt+F4 closes a window in each of them
+PAD = "pad.json"  # what holds the buttons and axes of a gamepad that there is not
 OFTEN = 10  # chosen: frames between two that are compared
 STUCK, PATIENCE = 60.0, 20.0  # seconds, chosen for a busy machine
 GROWTH = 150.0  # MB, chosen
@@ -48,7 +52,7 @@ TAPPED = (
     *("F1", "F2", "F5", "F11", "F12", "Tab", "Return", "BackSpace", "Delete", "Home", "End"),
     *("plus", "minus", "KP_Add", "Page_Up", "Page_Down", "shift+n", "ctrl+s", "alt+Return"),
 )
-SHAPES = ((1900, 200), (300, 900), (1280, 720), (640, 480), (200, 150), (1, 1), (800, 600))
+SHAPES = ((1900, 200), (300, 900), (1280, 720), (640, 480), (200, 150), (64, 64), (1, 1))
 
 
 def watched(outcome: Path, words: list[str]) -> int:
@@ -57,6 +61,7 @@ def watched(outcome: Path, words: list[str]) -> int:
     from landscape.cli import main
     from landscape.flyover.app.window import Flying
     from landscape.walk.app import Walk
+    from landscape.walk.pad import Pad, PadState
 
     faulthandler.register(signal.SIGUSR1)
     lines = outcome.open("w")
@@ -95,9 +100,18 @@ def watched(outcome: Path, words: list[str]) -> int:
         write(escapable=flight.hands.captured, inspecting=False)
         return shown
 
+    def read_pad() -> PadState | None:
+        try:
+            buttons, axes = json.loads(outcome.with_name(PAD).read_text())
+        except OSError:  # it is not connected yet
+            return None
+        return PadState(frozenset(buttons), tuple(axes))
+
     def begin(walk: Any, *given: Any, **more: Any) -> None:
         # A lesson would have the keys until it is closed.
         walk_begins(walk, *given, **more, run_command=lambda words: 0)
+        if "--replay" not in words:
+            walk._pad = Pad(read_pad)
 
     walk_begins = Walk.__init__
     Walk.__init__, Walk.present = begin, present  # type: ignore[method-assign]
@@ -186,11 +200,25 @@ class Watcher:
         return self.all[-1] if self.all else {"frame": -1, "at": time.monotonic()}
 
 
+def any_pad(chance: random.Random) -> tuple[list[int], list[float]]:
+    """Return the buttons of a gamepad that are down, and where its axes are: at rest, or random."""
+    buttons = chance.sample(range(15), chance.choice((0, 0, 0, 1, 1, 2)))
+    if chance.random() < 0.3:
+        return buttons, [0.0, 0.0, 0.0, 0.0, -1.0, -1.0]
+    return buttons, [chance.choice((-1.0, 0.0, 1.0, chance.uniform(-1.0, 1.0))) for _ in range(6)]
+
+
+def any_size(chance: random.Random) -> tuple[int, int]:
+    """Return a random size of a window, in pixels: narrow ones are as frequent as wide ones."""
+    width, height = (round(math.exp(chance.uniform(math.log(40), math.log(n)))) for n in SCREEN)
+    return width, height
+
+
 class Player:
     """Whoever presses random keys."""
 
-    def __init__(self, screen: Screen, window: str, chance: random.Random, flies: bool) -> None:
-        self._screen, self._window, self._chance, self._flies = screen, window, chance, flies
+    def __init__(self, screen: Screen, window: str, chance: random.Random, pad: Path) -> None:
+        self._screen, self._window, self._chance, self._pad = screen, window, chance, pad
         self._down: set[str] = set()
         self.log: list[str] = []
 
@@ -213,8 +241,9 @@ class Player:
                 "size",
                 "focus",
                 "escape",
+                "pad",
             ),
-            (20, 14, 22, 6, 14, 8, 3, 4, 1, 8),
+            (20, 14, 22, 6, 14, 8, 3, 4, 1, 8, 10),
         )[0]
 
         if what == "hold":
@@ -240,17 +269,25 @@ class Player:
             self._do("click", "--repeat", chance.randint(1, 4), chance.choice((4, 5)))
 
         elif what == "size":
-            shape = chance.choice(SHAPES)
+            shape = chance.choice((*SHAPES, *(any_size(chance) for _ in SHAPES)))
             self._do("windowsize", self._window, *shape)
             if shape == (1, 1):  # where nothing is to be seen, a moment is enough
                 time.sleep(0.5)
-                self._do("windowsize", self._window, *SHAPES[2])
+                self._do("windowsize", self._window, *SHAPES[3])
         elif what == "focus" and self._screen.manager:
             self._do("windowminimize", self._window)
             time.sleep(0.3)
             self._do("windowactivate", self._window)
         elif what == "escape":
             self._escape(watcher)
+        elif what == "pad":
+            self._turn_pad(any_pad(chance))
+
+    def _turn_pad(self, state: tuple[list[int], list[float]]) -> None:
+        """Let the walk find the gamepad in a state."""
+        self.log.append(f"{time.monotonic():.2f} pad {state}")
+        self._pad.with_suffix(".new").write_text(json.dumps(state))
+        self._pad.with_suffix(".new").replace(self._pad)
 
     def _escape(self, watcher: Watcher) -> None:
         """Press Escape where something is open, which it closes.
@@ -311,7 +348,7 @@ def played(
             watcher.news()
 
         window = screen.do("search", "--onlyvisible", "--name", "^landscape").split("\n")[0]
-        player = Player(screen, window, chance, flies)
+        player = Player(screen, window, chance, folder / PAD)
         screen.do("windowactivate" if screen.manager else "windowfocus", window)
 
         begun = time.monotonic()
