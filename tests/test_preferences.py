@@ -11,7 +11,16 @@ from landscape.elements.settings import Settings
 from landscape.walk import words
 from landscape.walk.hands import Hands
 from landscape.walk.keymap import ACTIONS, DEFAULT, FIXED, KEY_NAMES, Keymap, key_named
-from landscape.walk.preferences import FILE, Preferences, keep, parsed, read, written
+from landscape.walk.preferences import (
+    FILE,
+    MOST_BYTES,
+    Preferences,
+    keep,
+    kept,
+    parsed,
+    read,
+    written,
+)
 from landscape.walk.preferences_list import ROWS, PreferencesList
 from landscape.walk.walker import Intent
 
@@ -37,7 +46,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_what_is_kept_is_read_again(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert read() == (Preferences(), [])
     monkeypatch.setenv("LANDSCAPE_CONFIG", str(folder / "new"))
-    assert keep(OWN)
+    assert keep(OWN) == (True, [])
     assert read() == (OWN, [])
     text = (folder / "new" / FILE).read_text()
     assert "# vertical, en degrés" in text and 'forward = ["I", "Up"]' in text
@@ -64,12 +73,12 @@ def test_a_file_of_an_older_version_is_read(folder: Path) -> None:
     known = {"mouse_speed": 2.5, "field_of_view": 70.0, "text_size": 1.5, "language": "fr"}
     expected = Preferences(invert=True, keys=keys, **known)  # type: ignore[arg-type]
     assert read() == (expected, [])
-    assert keep(expected) and read() == (expected, [])
+    assert keep(expected)[0] and read() == (expected, [])
 
 
 def test_nothing_is_kept_without_a_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("LANDSCAPE_CONFIG", "")
-    assert not keep(OWN) and read() == (Preferences(), [])
+    assert keep(OWN) == (False, []) and read() == (Preferences(), [])
 
 
 @pytest.mark.parametrize(
@@ -107,6 +116,28 @@ def test_a_damaged_file_is_kept_aside(folder: Path, damaged: bytes) -> None:
         assert str(messages[0]).endswith(f"it is kept as {FILE}.damaged-{number}")
         assert (folder / f"{FILE}.damaged-{number}").read_bytes() == damaged
         assert not (folder / FILE).exists()
+
+
+@pytest.mark.parametrize(
+    "former",
+    [
+        b"gamma = 2.2  # of a newer version\ntext_size = 1.5\n",
+        b'[keys]\nhop = ["H"]\n',
+        b"text_size = 1.5\n" + b"#" * MOST_BYTES,
+        b"mouse_speed = ",
+    ],
+)
+def test_what_was_not_taken_of_a_file_is_not_lost_when_others_are_kept(
+    folder: Path, former: bytes
+) -> None:
+    for number in (1, 2):
+        (folder / FILE).write_bytes(former)
+        line = kept(OWN, "en")
+        assert line.startswith("your preferences are kept\n"), line
+        assert line.endswith(f"it is kept as {FILE}.damaged-{number}"), line
+        assert (folder / f"{FILE}.damaged-{number}").read_bytes() == former
+        assert read() == (OWN, [])
+    assert kept(OWN, "en") == "your preferences are kept"
 
 
 def test_they_change_only_settings_that_a_scene_has() -> None:

@@ -18,8 +18,11 @@ from commands import environment, landscape, need_library, python, refused
 from PIL import Image
 
 from framelens.base.errors import InputError
+from landscape.files.assets import Assets
+from landscape.frame import Pose
 from landscape.geometry.bodies import Body, Wish
 from landscape.offscreen import Offscreen
+from landscape.scene.scene import scene
 from landscape.voxel.blocks import AIR, SOLID, block
 from landscape.voxel.body import AFLOAT, GAP, HALF, HEIGHT, JUMP, RISE, UPWARDS, Place, moved
 from landscape.voxel.mesh import (
@@ -39,7 +42,10 @@ from landscape.voxel.tile_column import PLACES, ROWS
 from landscape.voxel.water_images import FLATTER
 from landscape.voxel.world import Changes, World
 from landscape.voxel.world_file import decoded, encoded
+from landscape.walk.app import Walk
 from landscape.walk.builder import WorldFile
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent
 
 EYE = 1.625
 SEA = 4  # the lowest level of dry land
@@ -467,6 +473,7 @@ from landscape.walk.builder import WorldFile
 
 class Scene:
     changes = slot = count = 0
+    is_changed = True
     def use(self, *given): return ""
     choose = bar = covered = restore = merged = use
     def saved(self):
@@ -679,6 +686,28 @@ with again:
 world.write_bytes(saved)
 print(json.dumps({"live": live.seen, "again": again.seen == live.seen, "same": same}))
 """
+
+
+@pytest.mark.parametrize("dug", [False, True])
+def test_a_fix_on_another_land_is_shown_unless_blocks_were_changed(
+    dug: bool, tmp_path: Path
+) -> None:
+    need_library("OSMesa")
+    kind, path = scene("voxel"), tmp_path / "my.world"
+    small = {"voxel.regions": 2, "voxel.region_size": 40, "shadow.enabled": False}
+    pose = Pose(3.2, None, 3.2, 40.0, -50.0)
+    plan = Plan("voxel", kind.values(None, small), "voxel_slope", pose, (96, 72))
+    with Walk(plan, Assets(), "osmesa", world=WorldFile(path)) as walk:
+        before = walk.place.settings
+        if dug:
+            walk.advance(Tick(0.05, Intent(dig=True), (), plan.size))
+            assert walk.place.scene.is_changed
+        walk.advance(Tick(0.05, Intent(), ("fix",), plan.size))
+        walk.draw()
+        refused = "blocks were changed" in walk._message
+        assert refused is dug is (walk.place.settings == before)
+        assert walk.place.settings.voxel.trees is dug
+    assert path.exists() is dug, "a file of another land without changes would be refused"
 
 
 @pytest.fixture(scope="module")

@@ -31,6 +31,10 @@ class Diggable(Protocol):
 
     changes: int
 
+    @property
+    def is_changed(self) -> bool:
+        """Whether any block is not as it was at the beginning."""
+
     def use(self, tool: str, pose: Pose, body: Body | None) -> str:
         """Use one of TOOLS at ``pose``; return why that is impossible, in English, or "".
 

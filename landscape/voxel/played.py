@@ -164,6 +164,11 @@ class Played:
         """Return how many rows of a window the textures of the passes cover from its lower edge."""
         return covered(size) if self.settings.debug.textures else 0
 
+    @property
+    def is_changed(self) -> bool:
+        """Whether any block is not as it was at the beginning."""
+        return bool(self.land.world.former)
+
     def _made_from(self) -> dict[str, object]:
         """Return all that the land without changes depends on."""
         values = self.settings.voxel

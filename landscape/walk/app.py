@@ -45,7 +45,7 @@ from landscape.walk.last import keep as keep_last
 from landscape.walk.list_image import line_at, list_image, text_image
 from landscape.walk.pad import Pad, PadState, steered
 from landscape.walk.place import Place, Places, at_doors, list_picture
-from landscape.walk.preferences import Preferences, keep
+from landscape.walk.preferences import Preferences, kept
 from landscape.walk.preferences_list import PreferencesList
 from landscape.walk.recording import MAX_SECONDS, Plan, Tick
 from landscape.walk.screen import FrameRate, FullScreen, hide_cursor, save_screenshot
@@ -394,12 +394,8 @@ class Walk:
     def _keep(self) -> None:
         """Leave the list, and keep the preferences in the user's file if they came from there."""
         self.hands.choosing = ""
-        if not self._keeps_wishes:
-            return
-        try:
-            self._note = self._word("preferences.kept") if keep(self.wishes.preferences) else ""
-        except InputError as error:
-            self._note = said(error, self._language)
+        if self._keeps_wishes:
+            self._note = kept(self.wishes.preferences, self._language)
 
     def _help_rows(self) -> list[tuple[str, str]]:
         place, keymap = self.place, self.hands.keymap
@@ -601,16 +597,26 @@ class Walk:
                 self._switch_fix(name)
         elif SETTINGS[name] in declare.fields(type(self.place.settings)):
             value = declare.next_value(self.place.settings, SETTINGS[name])
-            self._apply({SETTINGS[name]: value})
+            if not self._apply({SETTINGS[name]: value}):
+                return
             if name == "mute":
                 self._places.give({SETTINGS[name]: value})  # it is muted behind a door, too
             self._tell(name, value)
 
-    def _apply(self, changes: Mapping[str, object]) -> None:
-        """Change settings; open the scene again if it cannot take them as it is."""
-        with self.inspection.building():
-            self.place.apply(changes, self._rebuild)
+    def _apply(self, changes: Mapping[str, object]) -> bool:
+        """Change settings; open the scene again if it cannot take them as it is.
+
+        If it cannot be opened with them, as blocks were changed on a land that would be another,
+        say so, and return False: it is as before.
+        """
+        try:
+            with self.inspection.building():
+                self.place.apply(changes, self._rebuild)
+        except InputError as error:
+            self._say(said(error, self._language))
+            return False
         self._tidy_later()
+        return True
 
     def _rebuild(self) -> None:
         """Open the scene again."""
@@ -638,11 +644,7 @@ class Walk:
         if not tick.changes:
             return
         before = self.place.scene
-        try:
-            self._apply(tick.changes)
-        except InputError as error:
-            # The scene could not be opened with the new value: the former one is still there.
-            self._say(str(error))
+        if not self._apply(tick.changes):
             return
         self._places.give(tick.changes)
         self._done = self._word("list.taken" if self.place.scene is before else "list.rebuilt")
@@ -682,7 +684,8 @@ class Walk:
             self.walker = start(fix.pose(False), self.place.scene, self.place.settings)
         on = declare.with_settings(self.place.settings, fix.on) == self.place.settings
         if name == "fix":
-            self._apply(fix.off if on else fix.on)
+            if not self._apply(fix.off if on else fix.on):
+                return
             on = not on
         self._say(words.fix_state(self._language, fix.name, fix.title, on))
 

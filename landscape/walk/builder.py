@@ -32,6 +32,7 @@ class WorldFile:
         """Read the file if there is one; InputError. Only with ``keep`` is it written later."""
         self._path, self._keep = path, keep
         self._saved = b""  # the scene as it was when it was opened, or saved last
+        self._saved_changes = False  # whether that has any
         if keep:
             check_writable(path, "world ")
         self._content = self._read()
@@ -54,7 +55,7 @@ class WorldFile:
             )
         if self._content is not None:
             scene.restore(self._content, self._name)
-        self._saved = scene.saved()
+        self._saved, self._saved_changes = scene.saved(), scene.is_changed
         return scene
 
     def save(self, scene: Diggable) -> bool:
@@ -63,7 +64,7 @@ class WorldFile:
         If another walk has changed the same blocks, this one is saved in a file of another name,
         which the InputError tells.
         """
-        if not self._keep:
+        if not self._keep or not (scene.is_changed or self._saved_changes):
             return False
         data = scene.saved()
         if data == self._saved:
@@ -77,6 +78,7 @@ class WorldFile:
             raise InputError(
                 "{name}: cannot be written ({reason})", name=self._name, reason=reason(error)
             ) from None
+        self._saved_changes = scene.is_changed
         return True
 
     def _write(self, scene: Diggable, data: bytes) -> None:

@@ -70,17 +70,17 @@ class Place:
     def open(self, assets: Assets, seed: int, only: Sequence[str] | None = None) -> None:
         """Open the scene; if it is open, open it anew with the elements it shows. InputError.
 
-        Blocks that were changed stay so; on another land, which has none of them, it does not open.
+        Blocks that were changed stay so; as another land has none of them, that is not opened then.
         """
         former = self._scene
         names = former.shown if former is not None else only
         opened = self.kind.open(self.settings, assets, seed, self.kind.only(names or None))
-        if isinstance(former, Diggable) and isinstance(opened, Diggable):
+        if isinstance(former, Diggable) and isinstance(opened, Diggable) and former.is_changed:
             try:
                 opened.restore(former.saved(), self.kind.title)
             except InputError:
                 opened.release()
-                raise
+                raise InputError("blocks were changed, which another land would not have") from None
         self._scene, self._sounds = opened, None
         if former is not None:
             former.release()

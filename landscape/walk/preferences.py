@@ -20,6 +20,7 @@ from framelens.base.input import read_bounded
 from framelens.base.output import write_whole
 from framelens.base.texts import choose, said
 from landscape.settings import declare
+from landscape.walk import words
 from landscape.walk.keymap import ACTIONS, KEY_NAMES, Keymap, key_named
 
 FILE = "preferences.toml"
@@ -226,12 +227,8 @@ def read() -> tuple[Preferences, list[Said]]:
 
 def kept_aside(path: Path, error: Exception) -> Message:
     """Rename a damaged file; return what is said about it."""
-    number = 1
-    while (aside := path.with_name(f"{path.name}.damaged-{number}")).exists():
-        number += 1
-    try:
-        path.rename(aside)
-    except OSError:
+    aside = _aside(path)
+    if aside is None:
         return Message("{path}: expected TOML ({error}); it is not used", path=path, error=error)
     return Message(
         "{path}: expected TOML ({error}); it is kept as {aside}",
@@ -241,11 +238,52 @@ def kept_aside(path: Path, error: Exception) -> Message:
     )
 
 
-def keep(preferences: Preferences) -> bool:
-    """Write the file; return whether it is kept. InputError if it cannot be written."""
+def _aside(path: Path) -> Path | None:
+    """Rename a file; return its new place, None if that is not possible."""
+    number = 1
+    while os.path.lexists(aside := path.with_name(f"{path.name}.damaged-{number}")):
+        number += 1
+    try:
+        path.rename(aside)
+    except OSError:
+        return None
+    return aside
+
+
+def keep(preferences: Preferences) -> tuple[bool, list[Said]]:
+    """Write the file; return whether it is kept, and what is to be said about the former one.
+
+    One with lines that were not taken, as a newer version may have written, is renamed and not
+    written over. InputError if the file cannot be written.
+    """
     place = folder()
     if place is None:
-        return False
+        return False, []
+    path = place / FILE
+    former = read()[1]  # which renames it if it is no TOML
+    if former and os.path.lexists(path):
+        if (aside := _aside(path)) is None:
+            raise InputError(
+                "{path}: it has lines that are not taken, and stays as it is", path=path
+            )
+        former = [
+            Message(
+                "{path}: not all of it was taken; it is kept as {aside}",
+                path=path,
+                aside=aside.name,
+            )
+        ]
+
     language = preferences.language or choose(os.environ)
-    write_whole(place / FILE, written(preferences, language).encode())
-    return True
+    write_whole(path, written(preferences, language).encode())
+    return True, former
+
+
+def kept(preferences: Preferences, language: str) -> str:
+    """Write the file; return what is said about it in a language, "" if nothing is kept."""
+    try:
+        done, former = keep(preferences)
+    except InputError as error:
+        return said(error, language)
+    lines = [words.text(language, "preferences.kept")] if done else []
+    return "\n".join((*lines, *(said(message, language) for message in former)))

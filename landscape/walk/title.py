@@ -12,8 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from framelens.base.errors import InputError
-from framelens.base.texts import choose, said, translator
+from framelens.base.texts import choose, translator
 from framelens.gl.contexts.glfw import GLFWContext
 from framelens.gl.glfw_library import glfw
 from framelens.gl.seam import gl
@@ -28,7 +27,7 @@ from landscape.walk.landmarks import Found, title_of
 from landscape.walk.landmarks_list import FOUND, Teller, nothing_told, told
 from landscape.walk.list_image import line_at, list_image
 from landscape.walk.pad import Pad
-from landscape.walk.preferences import Preferences, keep
+from landscape.walk.preferences import Preferences, kept
 from landscape.walk.preferences_list import PreferencesList
 from landscape.walk.screen import FullScreen
 from landscape.walk.settings_list import Page
@@ -230,10 +229,7 @@ class Title:
     def _keep(self) -> None:
         """Keep the preferences when their list has been shut."""
         if not self.wishes.open and self._keeps:
-            try:
-                self.note = self._word("preferences.kept") if keep(self.wishes.preferences) else ""
-            except InputError as error:
-                self.note = said(error, self.language)
+            self.note = kept(self.wishes.preferences, self.language)
 
     def heed(self, preferences: Preferences) -> None:
         """Take preferences that were changed in a walk."""
