@@ -31,6 +31,7 @@ class World:
     """The scene of a walk that saves its world, of some megabytes."""
 
     changes = slot = count = 0
+    is_changed = True
 
     def use(self, *_: object) -> str:
         return ""

@@ -29,6 +29,7 @@ import os
 import random
 import shutil
 import signal
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -46,6 +47,7 @@ PAD = "pad.json"  # what holds the buttons and axes of a gamepad that there is n
 OFTEN = 10  # chosen: frames between two that are compared
 STUCK, PATIENCE = 60.0, 20.0  # seconds, chosen for a busy machine
 GROWTH = 150.0  # MB, chosen
+PARTS = 20  # chosen: of the time of a walk, in each of which its memory is a median
 HELD = ("w", "a", "s", "d", "Up", "Down", "Left", "Right", "space", "c", "shift", "e", "w", "Up")
 TAPPED = (
     *"fmxgrtpnvjulhbe123456789kqzy",
@@ -411,14 +413,20 @@ def played(
 
 
 def halves(memory: list[tuple[float, float]]) -> tuple[float, float] | None:
-    """Return the most megabytes in the first half of a walk, and at its end.
+    """Return the most megabytes in the first half of a walk, and those at its end.
 
-    ``memory`` has the part of the time that had passed, 0..1, and megabytes. None if too little of
-    the walk was measured.
+    ``memory`` has the part of the time that had passed, 0..1, and megabytes. They are medians of
+    twentieths of the time: what a frame takes for a moment is no growth. None if too little of the
+    walk was measured.
     """
     first = memory[0][0] if memory else 0.0
-    early = [mb for part, mb in memory if first < part < first + (1.0 - first) / 2]
-    late = [mb for part, mb in memory if part > first + (1.0 - first) * 0.85]
+    parts: dict[int, list[float]] = {}
+    for part, mb in memory:
+        if part > first:
+            parts.setdefault(int(PARTS * (part - first) / (1.0 - first)), []).append(mb)
+    usual = {number: statistics.median(each) for number, each in parts.items()}
+    early = [mb for number, mb in usual.items() if number < PARTS / 2]
+    late = [mb for number, mb in usual.items() if number >= 0.85 * PARTS]
     return (max(early), max(late)) if early and late and first < 0.6 else None
 
 
