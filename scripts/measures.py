@@ -16,6 +16,7 @@ stands twice in exercises and the scaffold is counted by itself.
 import argparse
 import ast
 import json
+import re
 import subprocess
 import sys
 from collections import Counter, defaultdict
@@ -30,6 +31,18 @@ HEAVY_FUNCTION = 300  # nodes
 WIDE_ASSIGNMENT = 3  # targets
 LEAST_REPEAT = 40  # nodes
 LONGEST_REPEAT = 12  # statements
+
+TARGETS = {
+    "`Any`": 250,
+    "`# fmt: skip`": 20,
+    "functions of 20+ lines without a blank line": 60,
+    "tuple assignments of 3+ targets": 60,
+    "exact repeats of 40+ nodes": 700,
+    "import cycles": 0,
+    "names declared global": 4,
+    "classes with an `apply` of their own": 12,
+}
+"""The measures that have met their targets, and these: a test sees to it that they stay so."""
 
 STARTERS = {
     "subprocess.Popen": "Popen",
@@ -70,6 +83,11 @@ def without_programs(paths: Iterable[Path]) -> list[Path]:
 def parsed(path: Path) -> ast.Module:
     """Return the syntax tree of a file."""
     return ast.parse(path.read_text("utf-8"))
+
+
+def holding(paths: Iterable[Path], pattern: str) -> Iterator[Path]:
+    """Yield the files whose text matches a pattern: no other needs to be parsed."""
+    return (path for path in paths if re.search(pattern, path.read_text("utf-8"), re.MULTILINE))
 
 
 def nodes_in(tree: ast.AST) -> int:
@@ -158,7 +176,7 @@ def uses_of_any(root: Path, paths: Iterable[Path]) -> list[str]:
     """Return where the type `Any` stands."""
     return [
         place(root, path, node)
-        for path in paths
+        for path in holding(paths, r"\bAny\b")
         for node in ast.walk(parsed(path))
         if isinstance(node, ast.Name) and node.id == "Any"
     ]
@@ -176,9 +194,10 @@ def unformatted(root: Path, paths: Iterable[Path]) -> list[str]:
 
 def wide_assignments(root: Path, paths: Iterable[Path]) -> list[str]:
     """Return where a tuple is assigned to a tuple of three or more names."""
+    some = r"^[^=\n]*,[^=\n]*,[^=\n]* = (.*,.*,|.*[\[({]$)"
     return [
         place(root, path, node)
-        for path in paths
+        for path in holding(paths, some)
         for node in ast.walk(parsed(path))
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Tuple)
         for target in node.targets
@@ -190,7 +209,7 @@ def names_declared_global(root: Path, paths: Iterable[Path]) -> list[str]:
     """Return each name of a `global` statement, and where."""
     return [
         f"{place(root, path, node)} {name}"
-        for path in paths
+        for path in holding(paths, r"^\s*global\s")
         for node in ast.walk(parsed(path))
         if isinstance(node, ast.Global)
         for name in node.names
@@ -285,18 +304,19 @@ def repeats(root: Path, paths: Iterable[Path]) -> list[tuple[int, list[str]]]:
 
     Of runs that overlap, the largest counts.
     """
-    sizes: dict[str, int] = {}
-    places: dict[str, list[tuple[Path, int, int]]] = defaultdict(list)
+    sizes: dict[tuple[int, ...], int] = {}
+    places: dict[tuple[int, ...], list[tuple[Path, int, int]]] = defaultdict(list)
+    numbers: dict[str, int] = {}
     for path in paths:
         for block in blocks(parsed(path)):
-            texts = [ast.dump(statement) for statement in block]
+            texts = [numbers.setdefault(ast.dump(statement), len(numbers)) for statement in block]
             counts = [nodes_in(statement) for statement in block]
             for first in range(len(block)):
                 for after in range(first + 1, min(len(block), first + LONGEST_REPEAT) + 1):
                     nodes = sum(counts[first:after])
                     if nodes < LEAST_REPEAT:
                         continue
-                    text = "\n".join(texts[first:after])
+                    text = tuple(texts[first:after])
                     sizes[text] = nodes
                     last = block[after - 1]
                     places[text].append((path, block[first].lineno, last.end_lineno or last.lineno))

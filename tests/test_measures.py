@@ -77,6 +77,48 @@ def test_a_program_in_a_string_counts_as_code(tmp_path: Path) -> None:
     assert measures.size(other) == plain + 9
 
 
+def over_their_targets(counts: dict[str, int]) -> dict[str, int]:
+    return {name: count for name, count in counts.items() if count > measures.TARGETS[name]}
+
+
+CODE = measures.files(ROOT, measures.PACKAGES)
+HOUSE = measures.without_programs(CODE)
+
+
+@pytest.mark.slow
+@pytest.mark.seldom(4)
+def test_types_and_assignments_stay_below_their_targets() -> None:
+    counts = {
+        "`Any`": len(measures.uses_of_any(ROOT, CODE)),
+        "`# fmt: skip`": len(measures.unformatted(ROOT, CODE)),
+        "tuple assignments of 3+ targets": len(measures.wide_assignments(ROOT, CODE)),
+        "names declared global": len(measures.names_declared_global(ROOT, HOUSE)),
+    }
+    assert over_their_targets(counts) == {}, "python scripts/measures.py --places"
+
+
+@pytest.mark.slow
+@pytest.mark.seldom(10, first=1)
+def test_what_else_has_met_its_target_stays_below_it() -> None:
+    counts = {
+        "functions of 20+ lines without a blank line": len(
+            measures.functions(ROOT, CODE)["without a blank line"]
+        ),
+        "exact repeats of 40+ nodes": sum(nodes for nodes, _ in measures.repeats(ROOT, HOUSE)),
+        "import cycles": len(measures.cycles(ROOT, CODE)),
+        "classes with an `apply` of their own": len(measures.classes_with("apply", ROOT, HOUSE)),
+    }
+    assert over_their_targets(counts) == {}, "python scripts/measures.py --places"
+
+
+def test_the_page_of_measures_names_the_targets_that_are_met() -> None:
+    page = (ROOT / "docs" / "measures.md").read_text(encoding="utf-8")
+    rows = [line.split(" | ") for line in page.splitlines() if line.startswith("| ")]
+    targets = {row[0].removeprefix("| "): row[3] for row in rows}
+    for measure, target in measures.TARGETS.items():
+        assert re.match(r"\d+", targets[measure])[0] == str(target), measure
+
+
 def test_the_map_in_contributing_names_every_room_and_no_other() -> None:
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     lines = text.partition("## The map")[2].partition("\nTo find a technique")[0].splitlines()

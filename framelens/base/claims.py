@@ -164,6 +164,7 @@ def _holder(path: Path, now: float) -> Holder | None:
         found = json.loads(data)
         host, pid, since = str(found["host"]), int(found["pid"]), float(found["since"])
     except (ValueError, TypeError, KeyError, RecursionError):
-        host, pid, since = "?", 0, times.st_mtime
+        host, pid = "?", 0
+        since = times.st_mtime
     # A time to come is that of a clock which has been put back: one who lives soon touches it anew.
     return Holder(host, pid, max(now - since, 0.0), abs(now - times.st_mtime))

@@ -42,6 +42,9 @@ class Identity(Protocol):
         """Return in which words another differs from what is expected; "" if it does not."""
 
 
+Task = tuple[Callable[..., Result], tuple[object, ...], dict[str, object]]
+"""A function and its arguments."""
+
 Who = Callable[[str], Identity]
 """A function of a module that returns the Identity of this process, with an OpenGL backend."""
 
@@ -59,7 +62,9 @@ class Engine(Executor):
 
     def __init__(self, client: Any, who: Who, refused: Callable[[InputError], None]) -> None:
         """Wait for the first worker. InputError if there is none that may work."""
-        self._client, self._who, self._refused = client, who, refused
+        self._client = client
+        self._who = who
+        self._refused = refused
         self._executor = client.get_executor(pure=False)
         self._clerk = ThreadPoolExecutor(1)
         self._gone: set[str] = set()
@@ -78,14 +83,14 @@ class Engine(Executor):
         self._send(asked, (function, arguments, named))
         return asked
 
-    def _send(self, asked: "Future[Any]", task: tuple[object, ...]) -> None:
+    def _send(self, asked: "Future[Result]", task: Task[Result]) -> None:
         """Hand a task to the cluster, and its outcome to the future that was asked for."""
         inner = self._executor.submit(work, self._expected, self._who, *task)
         inner.add_done_callback(partial(self._arrived, asked, task))
         asked.add_done_callback(lambda done: inner.cancel() if done.cancelled() else None)
 
     def _arrived(
-        self, asked: "Future[Any]", task: tuple[object, ...], inner: "Future[Any]"
+        self, asked: "Future[Result]", task: Task[Result], inner: "Future[Result | Refused]"
     ) -> None:
         """Take the outcome of a task."""
         from distributed import KilledWorker
@@ -107,7 +112,7 @@ class Engine(Executor):
             else:
                 asked.set_result(found)
 
-    def _send_away(self, asked: "Future[Any]", task: tuple[Any, ...], refused: Refused) -> None:
+    def _send_away(self, asked: "Future[Result]", task: Task[Result], refused: Refused) -> None:
         """Close a worker that may not work, and hand its task to another."""
         try:
             line = InputError(

@@ -93,7 +93,8 @@ class Listing:
         would not.
         """
         if self._calls is None:
-            self._calls, self._listing, notes = [], True, iter(self._notes)
+            self._calls, self._listing = [], True
+            notes = iter(self._notes)
             for name in notes:
                 args = tuple(islice(notes, next(notes)))
                 call = Call(name, args, *islice(notes, FIELDS))

@@ -26,7 +26,10 @@ MOST_LINES = 5  # chosen: of a message in a narrow window; a longer one is writt
 ROOMY = 30  # chosen: lines of SMALLEST in a window where the message has a place below the keys
 MARGIN = 24  # chosen: heights of the message's margin that fill the window's height
 PLATE = (12, 20, 28, 190)  # chosen: RGBA, dark enough for white text over white clouds
-WORDS, KEYS, TITLE = (240, 240, 235), (255, 214, 120), (255, 255, 255)  # chosen: RGB
+# Chosen: RGB.
+WORDS = (240, 240, 235)
+KEYS = (255, 214, 120)
+TITLE = (255, 255, 255)
 
 
 def text_size(size: tuple[int, int], dpi: float = 1.0) -> int:

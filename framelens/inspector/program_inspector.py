@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, TextIO
+from typing import TextIO
 
 from framelens.base.errors import InputError
 from framelens.base.texts import choose
@@ -39,6 +39,7 @@ from framelens.program.program_events import BUTTONS, Event
 from framelens.program.program_run import Library, Window
 from framelens.spec import spec
 from framelens.state import state
+from framelens.state.state_reading import Values
 from framelens.tape.buffers import Buffers
 from framelens.tape.edit_files import read
 from framelens.tape.edits import Edit
@@ -239,7 +240,7 @@ class ProgramInspector(ExitStack):
         with unnoted():
             self._bind_shaders(left)
 
-    def _bind_shaders(self, wanted: Mapping[str, Any]) -> None:
+    def _bind_shaders(self, wanted: Values) -> None:
         bind_again(self._binding, wanted.get("GL_CURRENT_PROGRAM", 0))
 
     def notice(self, text: str) -> None:

@@ -26,7 +26,7 @@ from framelens.base.errors import InputError, Message, NoOpenGLError
 from framelens.gl.foreign import Make, beside, patched
 from framelens.gl.notes import files_beside
 from framelens.gl.seam import unrecorded
-from framelens.program.program_events import read_events
+from framelens.program.program_events import Events, read_events
 from framelens.program.program_failure import count, late, raised
 from framelens.program.program_input import Input
 from framelens.program.program_prints import Prints
@@ -86,7 +86,7 @@ def _functions(make: Make, running: Callable[[], Run | None]) -> AbstractContext
 def run(
     path: str | Path,
     frame: int | None = 0,
-    events: Any = None,
+    events: Events = None,
     arguments: Sequence[str] = (),
     backend: str = "auto",
     limit: float | None = None,

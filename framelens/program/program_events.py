@@ -21,10 +21,12 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError, Message, short
 from framelens.base.input import read_bounded
+
+Events = str | Path | Iterable[object] | None
+"""A file of events, or such objects as it holds; none for None."""
 
 MOST_BYTES = 4 << 20  # chosen
 KINDS = ("key", "button", "move", "scroll", "resize", "close")
@@ -136,7 +138,7 @@ def presses(keys: Iterable[str], frame: int = 1) -> list[dict[str, object]]:
     return [{"frame": frame, "key": key, "action": action} for key in keys for action in actions]
 
 
-def read_events(source: Any) -> list[Event]:
+def read_events(source: Events) -> list[Event]:
     """Return the events of a file, or of a list of objects as in a file; none for None.
 
     Raises InputError that names the file and the event.

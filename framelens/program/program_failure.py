@@ -38,7 +38,8 @@ def raised(path: Path, error: BaseException) -> ProgramError:
     """
     calls = [at for at in _traceback(error) if at.tb_frame.f_code.co_filename == str(path)]
     first = calls[0] if calls else None
-    missing, reason, details = "", _name(error), ""
+    reason = _name(error)
+    missing = details = ""
     guard.go_on(SAYS)  # within the program's memory
     try:
         missing = _missing(path, error)

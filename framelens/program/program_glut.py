@@ -41,7 +41,11 @@ OF_OWN_WINDOW = {
     **dict.fromkeys(("ChangeToSubMenu", "RemoveMenuItem", "AttachMenu", "DetachMenu"), None),
     **{"GetWindow": 1, "CreateMenu": 1, "GetMenu": 0, "LayerGet": 0},
 }
-DOUBLE, DEPTH, STEREO, MULTISAMPLE = 2, 16, 256, 128  # of glutInitDisplayMode
+# Of glutInitDisplayMode.
+DOUBLE = 2
+DEPTH = 16
+STEREO = 256
+MULTISAMPLE = 128
 # The buffers of a window in glutInitDisplayMode and in glutInitDisplayString, as GLFW names them.
 BUFFERS = {
     "DEPTH_BITS": (DEPTH, "depth", 24),
@@ -60,7 +64,12 @@ SPECIAL = {
 }
 BUTTON_CODES = {"left": 0, "middle": 1, "right": 2}
 MODIFIERS = {"shift": 1, "control": 2, "alt": 4}
-WINDOW_WIDTH, WINDOW_HEIGHT, DISPLAY_POSSIBLE, ELAPSED_TIME = 102, 103, 400, 700  # of glutGet
+# Of glutGet.
+WINDOW_WIDTH = 102
+WINDOW_HEIGHT = 103
+DISPLAY_POSSIBLE = 400
+ELAPSED_TIME = 700
+
 IDLE = 0.001  # seconds of the held clock that a turn of the loop takes if it draws nothing; chosen
 TURN = 0.02  # seconds that a turn of the loop waits for a timer at most, with a user; chosen
 PATIENCE = 1000  # turns without a frame until the program is asked to redraw; chosen

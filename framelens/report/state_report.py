@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from framelens.state.state import changed, difference
+from framelens.state.state_reading import Values
 from framelens.state.state_text import as_json, as_text, difference_as_text
 from framelens.tape.edits import as_code
 from framelens.tape.moments import leaks, state_at
@@ -21,7 +22,7 @@ NOTHING = "nothing differs"
 class Report:
     """A state, or differences of states, each under a line that says what it is."""
 
-    parts: Mapping[str, Mapping[str, Any]]
+    parts: Mapping[str, Values]
     compared: bool
 
     def as_json(self) -> dict[str, object]:

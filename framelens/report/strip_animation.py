@@ -24,10 +24,13 @@ from framelens.report.strip_pictures import RGB, Legend
 # How large a picture is at most, by how many stand in a frame, and how many in a row: chosen.
 LAYOUTS = {1: (640, 1), 2: (480, 2), 3: (400, 3), 4: (480, 2)}
 FEW = 40  # chosen: steps that are shown slowly
-SLOW, FAST, LAST = 1400, 350, 4000  # chosen: milliseconds a step, and the finished frame
+SLOW, FAST = 1400, 350  # chosen: milliseconds a step
+LAST = 4000  # chosen: milliseconds that the finished frame stays
 COLORS = 256  # of a GIF
 EDGE = 16  # chosen: pixels around the caption
-LARGE, SMALL, LEGEND = 18, 15, 13  # chosen: font sizes in pixels
+# Chosen: font sizes in pixels.
+LARGE, SMALL = 18, 15
+LEGEND = 13
 
 
 def as_gif(page: Page, cells: Iterable[Cell]) -> bytes:

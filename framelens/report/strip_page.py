@@ -9,7 +9,11 @@ from framelens.base.fonts import font, writable
 from framelens.report.strip_pictures import Legend, Tones
 from framelens.tape.strip import Group
 
-PAPER, INK, GREY, RULE = (255, 255, 255), (28, 28, 30), (104, 106, 110), (190, 192, 196)  # chosen
+# Chosen: RGB.
+PAPER = (255, 255, 255)
+INK = (28, 28, 30)
+GREY = (104, 106, 110)
+RULE = (190, 192, 196)
 PLATE = (236, 238, 240)  # chosen: RGB behind a picture of another shape, and where there is none
 SPACING = 1.35  # chosen: line height, in font sizes
 

@@ -67,7 +67,9 @@ def _step(
     sizes: tuple[int, int],
 ) -> None:
     """Draw a step: its picture, and below it the title and a few lines."""
-    pen, (x, y), (large, small) = ImageDraw.Draw(sheet), corner, sizes
+    pen = ImageDraw.Draw(sheet)
+    x, y = corner
+    large, small = sizes
     sheet.paste(scaled(cell.pictures[0], box, sharp=False), corner)
     pen.rectangle((x, y, x + box[0] - 1, y + box[1] - 1), outline=RULE)
     y += box[1] + small // 4

@@ -25,7 +25,10 @@ from framelens.report.strip_words import text
 # no more than TALLEST is taken, or the last one.
 LAYOUTS = ((400, 1700), (320, 2080), (240, 2140))
 TALLEST = 3200  # chosen: pixels
-MARGIN, GAP, INSIDE = 48, 28, 8  # chosen: pixels around the sheet, between steps and within one
+# Chosen: pixels around the sheet, between steps, and within one.
+MARGIN = 48
+GAP = 28
+INSIDE = 8
 CAPTION = 100  # chosen: pixels, about what a caption takes
 WIDE = 900  # chosen: pixels, from which on a step's texts stand in one line
 NARROWEST = 200  # chosen: pixels, so that a caption has room

@@ -20,7 +20,10 @@ import sys
 
 assert sys.platform == "linux"
 
-NO_NEW_PRIVILEGES, SET_SECCOMP, FILTER = 38, 22, 2  # of prctl(2)
+# Of prctl(2).
+NO_NEW_PRIVILEGES = 38
+SET_SECCOMP = 22
+FILTER = 2
 
 # By the machine: the kernel's number for it, and the column of the tables below.
 MACHINES = {"x86_64": (0xC000003E, 0), "aarch64": (0xC00000B7, 1)}
@@ -215,9 +218,22 @@ HARMLESS = (0x5401, 0x540F, 0x5413, 0x541B, 0x5421, 0x5450, 0x5451)
 PRLIMIT = (302, 261)  # may ask for limits, but set none: its third argument is 0
 
 # Instructions of BPF.
-LOAD, EQUAL, ANY_BIT, AT_LEAST, RETURN, MASK = 0x20, 0x15, 0x45, 0x35, 0x06, 0x54
-ALLOW, FAIL, KILL = 0x7FFF0000, 0x00050000, 0x80000000
-NUMBER, MACHINE, ARGUMENTS = 0, 4, 16  # where a filter finds them
+LOAD = 0x20
+EQUAL = 0x15
+ANY_BIT = 0x45
+AT_LEAST = 0x35
+RETURN = 0x06
+MASK = 0x54
+
+# What a filter returns.
+ALLOW = 0x7FFF0000
+FAIL = 0x00050000
+KILL = 0x80000000
+
+# Where a filter finds them.
+NUMBER = 0
+MACHINE = 4
+ARGUMENTS = 16
 
 
 def known_machine() -> bool:

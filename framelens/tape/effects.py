@@ -7,11 +7,10 @@ of a second.
 
 from collections.abc import Container, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from framelens.gl.seam import Call, Recorder
 from framelens.spec import spec
-from framelens.state.state_reading import read_some
+from framelens.state.state_reading import Values, read_some
 from framelens.tape.steps import CLIENT, issue
 from framelens.tape.tape import Tape
 
@@ -26,8 +25,8 @@ SELECTING = (
 class Effect:
     """The variables that a call sets, by name, before and after it."""
 
-    before: Mapping[str, Any]
-    after: Mapping[str, object]
+    before: Values
+    after: Values
 
     @property
     def redundant(self) -> bool:

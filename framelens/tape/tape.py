@@ -3,12 +3,13 @@
 It can be drawn again in its context, whole or in part, and in a new one from the tape alone.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from framelens.gl.seam import Call
 from framelens.state.state import restore
+from framelens.state.state_reading import Values
 from framelens.tape.buffers import Buffers
 from framelens.tape.steps import Step, bind_again, issue, steps
 
@@ -27,7 +28,7 @@ class Tape:
 
     calls: Sequence[Call]
     begin: int
-    start: Mapping[str, Any]
+    start: Values
     size: tuple[int, int]
     notices: list[str] = field(default_factory=list)
     before: Buffers | None = None

@@ -265,7 +265,10 @@ def _matrix_at(survey: Survey, call: Call) -> tuple[str, bool] | None:
     return None
 
 
-ACCUM, LOAD, RETURN = 0x0100, 0x0101, 0x0102  # GL_ACCUM and its like
+# GL_ACCUM and its like.
+ACCUM = 0x0100
+LOAD = 0x0101
+RETURN = 0x0102
 
 
 def accumulation(survey: Survey) -> Iterator[Suspect]:

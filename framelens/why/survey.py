@@ -7,10 +7,9 @@ that there would be without any test. The last setter of each variable is known 
 before on.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from framelens.gl.raw import raw
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.program.past import Past, Setters
 from framelens.program.program_run import Chain
-from framelens.state.state_reading import read_some
+from framelens.state.state_reading import Values, read_some
 from framelens.tape.primitives import Draw
 from framelens.tape.steps import Step
 from framelens.tape.tape import Tape
@@ -78,7 +77,7 @@ class Drawn:
 
     index: int
     item: Item
-    state: Mapping[str, Any]
+    state: Values
     setters: Setters
     chain: Chain
     number: int

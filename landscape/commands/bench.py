@@ -52,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _standing(
-    options: argparse.Namespace, names: Sequence[str], changes: Mapping[str, Any]
+    options: argparse.Namespace, names: Sequence[str], changes: Mapping[str, object]
 ) -> tuple[dict[str, Any], str]:
     """Return the costs of single frames, and a table of them."""
     asked = bench.Options(

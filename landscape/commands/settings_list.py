@@ -47,7 +47,7 @@ class Flyover:
 FLYOVER = Flyover()
 
 
-def rows(preset: str | None, changes: Mapping[str, Any], word: str = "") -> list[Row]:
+def rows(preset: str | None, changes: Mapping[str, object], word: str = "") -> list[Row]:
     """Return the settings of every scene; a change goes to the scenes that have its key.
 
     A key that means the same in several scenes is listed once, with the first; ``scenes`` are the

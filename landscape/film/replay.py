@@ -8,7 +8,7 @@ per second than the walk had, or fewer. Messages, keys and lists are of the wind
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -179,7 +179,7 @@ class Replay:
             self._apply(place, fix.off if on else fix.on)
         return state
 
-    def _change(self, place: Place, changes: Mapping[str, Any]) -> None:
+    def _change(self, place: Place, changes: Mapping[str, declare.Value]) -> None:
         """Make changes from the list of settings; those that cannot be made were not, then."""
         assert self._places is not None
         try:

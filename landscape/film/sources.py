@@ -5,7 +5,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError
 from landscape.files.assets import Assets
@@ -17,6 +16,7 @@ from landscape.film.stage import Drawing
 from landscape.film.views import Flight, Look, Still, spans
 from landscape.flyover.environment import NAMES, open_environment
 from landscape.flyover.settings import BEST, PRESETS, Settings
+from landscape.frame import Pose
 from landscape.scene.scene import SCENES, Scene, View, find_view, placed, scene
 from landscape.settings.declare import preset, with_settings
 from landscape.walk.recording import read
@@ -169,7 +169,7 @@ def _through(words: Sequence[str], wanted: Wanted) -> list[Part]:
     return [Part(clip) for clip in found]
 
 
-def _high(look: Look, poses: tuple[Any, ...]) -> tuple[Any, ...]:
+def _high(look: Look, poses: tuple[Pose, ...]) -> tuple[Pose, ...]:
     """Return poses with heights, as far as these are known without opening the scene."""
     if all(pose.y is not None for pose in poses):
         return poses

@@ -6,7 +6,6 @@ Poses, times and words are chosen; the film was looked at strip by strip.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 from framelens.base.texts import Texts, translator
 from landscape.film.along import Software
@@ -60,10 +59,10 @@ def parts(preset: str | None, changes: Mapping[str, object], language: str) -> l
 
     def shot(
         name: str,
-        poses: Sequence[tuple[Any, ...]],
+        poses: Sequence[tuple[float, float | None, float, float, float]],
         spans: Sequence[float],
         kt: float = 20.0,
-        **settings: Any,
+        **settings: object,
     ) -> Clip:
         kind = scene(name)
         own = preset if preset in kind.presets else kind.preset

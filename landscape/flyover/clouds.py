@@ -17,7 +17,9 @@ SLICES, THICK = 12, 0.26
 COVER, TOWER = 0.55, 1.7  # there is cloud where the noise exceeds the first; how soon it is high
 SOFT = 0.45  # of the thickness: how far below its surface a cloud is dense
 DENSE, SHADE = 22.0, 10.0  # light lost per length, from the eye and from the sun
-CIRRUS, VEIL, HIGH = 0.05, 0.34, 3.0  # of the veil: its pattern, how dense it is, its height
+CIRRUS = 0.05  # the veil's pattern
+VEIL = 0.34  # how dense it is
+HIGH = 3.0  # its height
 SEED = 5
 
 

@@ -18,7 +18,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import wait
 from multiprocessing.context import SpawnProcess
-from typing import Any
 
 import numpy as np
 
@@ -50,6 +49,10 @@ class Task:
     settings: Settings | None
     size: tuple[int, int]
     columns: range
+
+
+Answer = bool | str | tuple[float, dict[str, int]]
+"""What a process sends: that it is ready, why it failed, or how long it drew, and its counts."""
 
 
 class Crew:
@@ -225,7 +228,7 @@ class _Worker:
     def __init__(self) -> None:
         self._process: SpawnProcess | None = None
         self.ready = False
-        self.pipe: Pipe[Any, Any]
+        self.pipe: Pipe[Task, Answer]
         self._bell: Bell
 
     def start(
@@ -261,9 +264,9 @@ class _Worker:
     def answer(self) -> tuple[float, dict[str, int]]:
         """Wait until a part is drawn; return how long it took, and its counts."""
         found = self.pipe.recv()
-        if isinstance(found, str):
-            raise _Failed(found)
-        return found  # type: ignore[no-any-return]
+        if not isinstance(found, tuple):
+            raise _Failed(str(found))
+        return found
 
     def end(self) -> None:
         """End the process, whatever it does."""
@@ -284,7 +287,7 @@ class _Worker:
 class _Given:
     """The arguments that a process is started with."""
 
-    pipe: "Pipe[Any, Any]"
+    pipe: "Pipe[Answer, Task]"
     bell: Bell
     heights: SharedMemory
     picture: SharedMemory

@@ -15,7 +15,10 @@ from landscape.gallery.panels import FigurePanel, PanelRenderer, as_option, as_t
 from landscape.gallery.scene_captions import INTRODUCTIONS, PAIRS_TEXT, STEPS, VIEW_TEXTS, Step
 from landscape.scene.scene import Scene, View, scene
 
-VIEW_SIZE, STEP_SIZE, PAIR_SIZE = (960, 540), (640, 360), (480, 300)  # chosen
+# Chosen: pixels of the pictures of views, of steps, and in pairs.
+VIEW_SIZE = (960, 540)
+STEP_SIZE = (640, 360)
+PAIR_SIZE = (480, 300)
 
 
 def panels(kind: Scene) -> list[FigurePanel]:

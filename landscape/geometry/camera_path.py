@@ -27,7 +27,11 @@ CROWN = 0.22  # chosen: units by which the crown of a tree is wider than its tru
 REACH = 1.5  # chosen: units before and after a place within which it may be as low as that place
 SPREAD = 1.2  # chosen: units over which a move aside or up is spread, to each side
 ROUNDS = 24  # chosen: moves aside; each uncovers obstacles beyond
-ARCH, ARCH_FROM, ARCH_MOST = 0.09, 3.0, 1.3  # chosen: height per unit beyond ARCH_FROM, at most
+# Chosen: a way longer than ARCH_FROM rises by ARCH for each unit beyond, ARCH_MOST at most.
+ARCH = 0.09
+ARCH_FROM = 3.0
+ARCH_MOST = 1.3
+
 SLOW = 0.3  # chosen: the speed at a place that is passed, times the mean
 HOLD = 0.5  # chosen: seconds that the camera rests at both ends
 BLUR = 0.3  # chosen: seconds, the standard deviation by which its motion is smoothed

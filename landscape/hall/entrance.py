@@ -27,8 +27,12 @@ from landscape.hall.settings import Settings
 
 SIGNS: Texts = {"door": "the door leads out to the island"}
 # All chosen.
-FAR, WIDE, HIGH = 0.5, 0.7, 0.75  # of the picture of the sky: how far, half its width, its top
+# The picture of the sky.
+FAR = 0.5  # behind the door
+WIDE = 0.7  # half its width
+HIGH = 0.75  # its top
 HORIZON = 0.1  # its lower edge: the height of a walker's eye
+
 MEADOW = (0.40, 0.50, 0.20)
 PATH = (0.78, 0.68, 0.48)
 HAZE = (0.66, 0.74, 0.66)

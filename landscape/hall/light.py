@@ -31,7 +31,11 @@ FLOOR = (1024, 0)
 NORTH = (1024, 1024)
 PARTS = {"floor": (1536, 0), "north": (1536, 1024)}
 BASES = {"floor": FLOOR, "north": NORTH}
-BASE_MOST, SUN_MOST, TORCH_MOST = 4.0, 1.0, 64.0  # what the byte 255 stands for
+# What the byte 255 stands for.
+BASE_MOST = 4.0
+SUN_MOST = 1.0
+TORCH_MOST = 64.0
+
 # Chosen: colour and strength of the lights that are kept apart.
 SUN_COLOUR = (6.4, 5.5, 4.2)
 TORCH_COLOUR = (0.022, 0.0098, 0.0032)

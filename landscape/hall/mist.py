@@ -33,7 +33,10 @@ AROUND = 0.075  # chosen: units from pillars and plinth within which the mist th
 THIN = 0.03  # chosen: units above and below a sheet within which an eye sees it fade
 BASES = 0.016, 0.022  # chosen: how much wider pillars are at their feet; radius of the torch's
 TEXELS = 160.0  # chosen: of the mask, per unit
-COARSE, BASE, GAIN = 16, 0.16, 1.5  # chosen: see :func:`softened`
+# Chosen: see :func:`softened`.
+COARSE = 16
+BASE = 0.16
+GAIN = 1.5
 
 
 def heights(count: int) -> np.ndarray:

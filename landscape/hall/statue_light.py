@@ -12,7 +12,10 @@ DIRECTIONS = 64  # chosen: over the whole sphere
 CELL = 0.05  # chosen: side of a cell, of a statue 2 units long
 STEPS = (0.11, 0.17, 0.24, 0.33, 0.44, 0.60, 0.80)  # chosen: where a ray looks, in the same units
 GRAZING = 0.25  # chosen: least cosine between ray and normal; others meet the vertex's own surface
-BELOW, ABOVE, EAST = 0.10, 0.55, 0.75  # chosen: light from below, from above, and of the windows
+# Chosen: light from below, from above, and of the windows.
+BELOW = 0.10
+ABOVE = 0.55
+EAST = 0.75
 
 
 def directions() -> np.ndarray:

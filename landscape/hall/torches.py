@@ -32,7 +32,8 @@ from landscape.hall.ornaments import torch
 from landscape.hall.settings import Settings, Shadow
 from landscape.hall.surfaces import mesh
 
-WIDTH, HEIGHT, SUNK = 0.026, 0.062, 0.008  # chosen: of a flame; it begins within the bowl
+WIDTH, HEIGHT = 0.026, 0.062  # chosen: of a flame
+SUNK = 0.008  # chosen: so deep within the bowl it begins
 HALO = 0.12  # chosen: radius of the glow, in units
 COLOUR = (1.0, 0.56, 0.22)  # chosen
 FLICKER = 0.12  # chosen: the glow's change, as a fraction

@@ -70,7 +70,8 @@ class Island(OfElements[Settings]):
     ) -> None:
         """Build the elements in ``only``; InputError names a file that cannot be used."""
         self.settings = supported(settings)
-        self._assets, self._seed, self._only = assets, seed, frozenset(only)
+        self._assets, self._seed = assets, seed
+        self._only = frozenset(only)
         self.elements = Elements(self.settings, assets, seed, only)
         sprites = tuple(name for name in SPRITES if name in only)
         with self.elements.building():
@@ -204,7 +205,9 @@ class Island(OfElements[Settings]):
 
     def _draw_swimming(self, frame: Frame, under: UnderWater) -> None:
         """Draw bed and dragon, and the net of light over them."""
-        draw, terrain, dragon = self.elements.draw, self.elements.get(Terrain), self._dragon
+        draw = self.elements.draw
+        terrain = self.elements.get(Terrain)
+        dragon = self._dragon
         draw("stones", frame)
         draw("ground", frame)
         draw("dragon", frame)

@@ -2,13 +2,14 @@
 
 import math
 from functools import partial
-from typing import Any
+from typing import Protocol, cast
 
 import numpy as np
 
 from landscape.elements.best.sea.shelter import wave_heights
 from landscape.elements.best.sea.shoreline import pieces
 from landscape.elements.castle_fire import FLAME_Z, TORCHES
+from landscape.elements.ground import Ground
 from landscape.elements.settings import Settings, Water
 from landscape.elements.water_surface import wave_time
 from landscape.geometry.height_field import HeightField
@@ -25,10 +26,15 @@ LAPPING = 0.6  # chosen: how loud the waves of 2006 are, which do not break
 PATCH = 10.0  # section 4: units; the waves of 2006 repeat over a patch
 
 
+class _Open(Protocol):
+    """An island whose elements are built."""
+
+    ground: Ground
+
+
 def island_sounds(settings: Settings, terrain: Terrain) -> Soundscape:
     """Return what an island sounds like, open or by its heights alone."""
-    opened: Any = terrain
-    field = terrain if isinstance(terrain, HeightField) else opened.ground.field
+    field = terrain if isinstance(terrain, HeightField) else cast(_Open, terrain).ground.field
     return Soundscape(
         shore=_shore(settings, field),
         fires=_flames(settings, field),

@@ -14,8 +14,15 @@ from landscape.sound import fire, sea, steps, wind
 from landscape.sound.room import Room, make_air, make_drops
 from landscape.sound.signal import QUANTUM
 
-SEA, WIND, FIRE, DROPS, AIR = "sea", "wind", "fire", "drops", "air"
-STROKE, DIG, PLACE = "stroke", "dig", "place"
+SEA = "sea"
+WIND = "wind"
+FIRE = "fire"
+DROPS = "drops"
+AIR = "air"
+STROKE = "stroke"
+DIG = "dig"
+PLACE = "place"
+
 SHORT = (*steps.GROUNDS, STROKE, DIG, PLACE)
 LOUDNESS = 0.055  # chosen: RMS of a loop of weight 1, so that most peaks stay below -14 dBFS
 OPEN: dict[str, Callable[[], np.ndarray]] = {

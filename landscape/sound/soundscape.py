@@ -24,8 +24,13 @@ MUFFLED = (0.8, 0.12, 0.01)  # chosen: what is left of bands, from low to high, 
 DEEP = 0.05  # chosen: units below the surface at which that is reached
 BEHIND = 0.25  # chosen: by how much the highest band is fainter from behind the ear
 # Chosen: how loud each is, in relation to a shore at one's feet.
-SEA_LEVEL, WIND_LEVEL, FIRE_LEVEL = 1.9, 0.7, 1.8
-AIR_LEVEL, ECHO_LEVEL, DROPS_LEVEL = 0.07, 0.11, 0.9
+SEA_LEVEL = 1.9
+WIND_LEVEL = 0.7
+FIRE_LEVEL = 1.8
+AIR_LEVEL = 0.07
+ECHO_LEVEL = 0.11
+DROPS_LEVEL = 0.9
+
 HIGH = 4.0  # chosen: units above the sea at which nothing shelters from the wind
 SHELTERED = 0.45  # chosen: the wind's share at the height of the sea
 FLAPPING = 1.25  # chosen: the most that height adds

@@ -24,7 +24,11 @@ RUSTLE = (2400.0, 6500.0)  # chosen: Hz
 WEIGHTS = (1.0, 0.8, 0.6, 0.22)  # chosen: of the resonances and of the rustle, at full speed
 POWERS = (1.5, 2.3, 3.4, 2.2)  # chosen: of the speed
 APART = 0.3  # chosen: units from the head at which either ear meets the gusts
-CALM, SWAYING, GUSTING = 0.24, 0.16, 0.6  # chosen: shares of the speed, 1 in the strongest gust
+# Chosen: shares of the speed, 1 in the strongest gust.
+CALM = 0.24
+SWAYING = 0.16
+GUSTING = 0.6
+
 FROM = math.degrees(math.atan2(-WAY[0], WAY[1]))  # degrees, 0 north: where it blows from
 LULL = 97.0  # chosen: kt; a slow swing of the whole wind, so that gusts are not all alike
 

@@ -4,7 +4,8 @@ import math
 from collections.abc import Callable, Iterable
 
 BEGIN, YAW = (21.4, 25.6), 338.0  # chosen: where the avenue begins, and where it leads to
-HALF, STEP, ROWS = 0.55, 0.62, 9  # chosen: units aside and along it; trees on each side
+HALF, STEP = 0.55, 0.62  # chosen: units aside and along it
+ROWS = 9  # chosen: trees on each side
 HEADER = "kind,x,z,width,height,mirrored"
 # Chosen: two trees as far away as each other from where the view crossing_trees stands, so near to
 # each other that their pictures cross in the middle, and a stag that crosses a third one.

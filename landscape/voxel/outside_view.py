@@ -23,7 +23,9 @@ from landscape.voxel.world import World
 VIEW = (1.0, 0.95, 0.4)  # chosen: colour of the frustum
 PART = 0.42  # chosen: side of the viewport, as a fraction of the window's height
 BACKGROUND = (0.08, 0.10, 0.13, 1.0)  # chosen
-ABOVE, BEHIND, LEAN = 34.0, 30.0, 48.0  # units and degrees, chosen: where the map is seen from
+# Chosen: where the map is seen from.
+ABOVE, BEHIND = 34.0, 30.0  # units
+LEAN = 48.0  # degrees
 FAINT = 0.4  # chosen: opacity of the boxes, which are close together
 FAR = 30.0  # units, chosen: how much of the frustum is shown
 CELLS = 3  # chosen: cells of the height field on each side of a region

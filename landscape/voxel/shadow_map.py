@@ -147,7 +147,8 @@ class ShadowMap(Element[Settings]):
             draw(self._coming, (self._parts, FRAMES))
         self._parts = (self._parts + 1) % FRAMES
         if not self._parts:
-            self.target, self._next, self.matrix = self._next, self.target, self._coming
+            self.target, self._next = self._next, self.target
+            self.matrix = self._coming
             self._forget_state()
 
     @contextmanager

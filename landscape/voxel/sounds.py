@@ -1,7 +1,7 @@
 """The sound of the island in cubes: its shore, wind, and the blocks that are walked on."""
 
 from functools import partial
-from typing import Any
+from typing import Protocol, cast, runtime_checkable
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from landscape.sound.soundscape import Soundscape
 from landscape.sound.steps import GRASS, SAND, STONE, WATER
 from landscape.voxel.blocks import BLOCKS
 from landscape.voxel.heights import Heights
+from landscape.voxel.land import Land
 from landscape.voxel.materials import BEACH, ROCKY
 from landscape.voxel.settings import Settings
 
@@ -23,17 +24,28 @@ SOFT = {"grass_top": GRASS, "turf_side": GRASS, "leaves": GRASS, "needles": GRAS
 LOOSE = {"sand": SAND, "gravel": SAND, "earth": SAND, "path": SAND, "snow": SAND}
 
 
+class _High(Protocol):
+    """An island in cubes, open or not."""
+
+    heights: Heights
+
+
+@runtime_checkable
+class _Open(Protocol):
+    """An island in cubes whose elements are built."""
+
+    land: Land
+
+
 def voxel_sounds(settings: Settings, terrain: Terrain) -> Soundscape:
     """Return what the island in cubes sounds like, open or by its heights alone.
 
     In an open one the blocks are looked at, so what was built sounds as what it is made of.
     """
-    opened: Any = terrain
-    heights: Heights = opened.heights
-    world = opened.land.world if hasattr(opened, "land") else None
+    heights = cast(_High, terrain).heights
     values = settings.voxel
     level = values.sea * values.block
-    blocks = None if world is None else world.blocks
+    blocks = terrain.land.world.blocks if isinstance(terrain, _Open) else None
     return Soundscape(
         shore=_shore(heights, values.sea, values.block),
         level=level,

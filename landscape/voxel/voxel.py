@@ -379,9 +379,11 @@ class Voxel(Played, Ground, OfElements[Settings]):
 
         ``clip`` is the camera's projection times modelview.
         """
-        images, level, block = water.images, water.level, self.settings.voxel.block
+        images = water.images
         if images is None:
             return
+        level = water.level
+        block = self.settings.voxel.block
         begin_pass("reflection")
         with drawing("water"):
             images.draw_reflection(

@@ -780,7 +780,9 @@ class Walk:
             return
         kind = self.place.kind
         begun = kind.named(self._begun) is not None
-        self._help, self._until, self._row = False, 0.0, ""
+        self._help = False
+        self._until = 0.0
+        self._row = ""
         self.hands.choosing = ""
         self.hearing.forget()
         if self.inspection.open:

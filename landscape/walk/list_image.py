@@ -107,7 +107,9 @@ def line_at(page: Page, size: tuple[int, int], dpi: float, x: float, y: float) -
 def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
     """Render the list on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
     laid = layout(page, size, dpi)
-    face, edge, line_height = font(laid.pixels), laid.pixels, laid.line_height
+    face = font(laid.pixels)
+    edge = laid.pixels
+    line_height = laid.line_height
     width, height = laid.width, laid.height
     image = Image.new("RGBA", (width, height), PLATE)
     draw = ImageDraw.Draw(image)

@@ -41,7 +41,9 @@ class PreferencesList:
 
     def toggle(self) -> None:
         """Open or shut the list."""
-        self.open, self.waiting, self._refusal = not self.open, False, None
+        self.open = not self.open
+        self.waiting = False
+        self._refusal = None
 
     def key(self, key: int, name: Namer, claimed: Collection[str] = ()) -> None:
         """Carry out a key that was pressed while the list was open.

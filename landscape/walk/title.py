@@ -138,7 +138,9 @@ class Title:
         self._pad, self._start = pad or Pad(), start
         self.wishes = PreferencesList(preferences or Preferences())
         self.language = language
-        self._found, self._tells, self._keeps = found or Found(), tells, keeps
+        self._found = found or Found()
+        self._tells = tells
+        self._keeps = keeps
         self.note = ""  # what went wrong, to be said below the entries
         self._help = False
         self.level = self._main()
@@ -383,7 +385,9 @@ class Title:
     def run(self) -> Entry | None:
         """Let the user choose; return what, or None if he leaves. The window stays open."""
         window = self._context.window
-        self.choice, self.left, self._shown = None, False, ()
+        self.choice = None
+        self.left = False
+        self._shown = ()
 
         if not self._above:
             # Where a walk has ended since, it can be gone on with: that comes first.

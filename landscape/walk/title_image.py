@@ -88,7 +88,9 @@ def title_image(
         wide = max(face.getlength(f"{row.text}  {row.beside}") for row in rows) + 5 * pixels
         if wide <= max(WIDEST * size[0], 18 * pixels):
             break
-    large, line, edge = font(round(LARGE * pixels)), round(SPACING * pixels), 2 * pixels
+    large = font(round(LARGE * pixels))
+    line = round(SPACING * pixels)
+    edge = 2 * pixels
     width = min(max(round(wide), 18 * pixels), size[0])
     notes = [
         line

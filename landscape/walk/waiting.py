@@ -39,7 +39,9 @@ class Waiting:
         leaves: Callable[[], bool],
     ) -> None:
         """Take a picture of the window's size, uint8 (h, w, 4)."""
-        self._context, self._panel, self._message = context, panel, message
+        self._context = context
+        self._panel = panel
+        self._message = message
         self._size = behind.shape[1], behind.shape[0]
         self.expected, self._leaves = 1, leaves
         self._steps, self._shown = 0, 0.0

@@ -13,6 +13,9 @@ import numpy as np
 
 from framelens.spec import spec
 
+State = Mapping[str, Any]
+"""OpenGL's state, by the names of `landscape state`."""
+
 NO_LINE = 0
 KINDS = ("glVertex", "glNormal", "glColor", "glTexCoord")
 WHOLE = {"b": 127, "ub": 255, "s": 32767, "us": 65535, "i": 2**31 - 1, "ui": 2**32 - 1}
@@ -32,7 +35,7 @@ class Call:
     args: Sequence[Any]
     line: int
     function: str
-    state: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    state: State = field(default_factory=dict, repr=False)
     arrays: Sequence[Any] = field(default=(), repr=False)
     inside: Sequence["Call | range"] = field(default=(), repr=False)
     way: Sequence[tuple[int, str]] = field(default=(), repr=False)

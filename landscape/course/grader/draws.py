@@ -1,7 +1,7 @@
 """The draws of a frame with their vertices, as the tests of an exercise see them."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from framelens.spec import spec
-from landscape.course.grader.calls import NONE, Call, Item, Numbers, whole
+from landscape.course.grader.calls import NONE, Call, Item, Numbers, State, whole
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class Draw:
         return self.call.line
 
     @property
-    def state(self) -> Mapping[str, Any]:
+    def state(self) -> State:
         """OpenGL's state before the call."""
         return self.call.state
 
@@ -86,7 +86,7 @@ def matrix(name: str, args: Sequence[Any]) -> np.ndarray | None:
     return found
 
 
-def state_matrix(state: Mapping[str, object], name: str) -> np.ndarray:
+def state_matrix(state: State, name: str) -> np.ndarray:
     """Return a matrix of a state, such as GL_MODELVIEW_MATRIX, as (4, 4)."""
     return np.array(state[name], float).reshape(4, 4).T
 
@@ -109,13 +109,13 @@ class _Current:
     def __init__(self) -> None:
         self.modelview = np.eye(4)
         self.stack: list[np.ndarray] = []
-        self.state: Mapping[str, Any] = {}
+        self.state: State = {}
         self.normal = [0.0, 0.0, 1.0]
         self.color = [1.0, 1.0, 1.0, 1.0]
         self.texture = [0.0, 0.0, 0.0, 1.0]
         self.taken: dict[str, object] = {}
 
-    def take(self, state: Mapping[str, Any]) -> None:
+    def take(self, state: State) -> None:
         """Take the values from a state that was read.
 
         The state is not read again after glColor and the like. So what it says of the current

@@ -36,7 +36,7 @@ import numpy as np
 from framelens.gl import notes
 from framelens.gl.notes import Brief, plain, shown
 from framelens.spec import spec
-from landscape.course.grader.calls import KINDS, NO_LINE, Call, Item, Numbers, base
+from landscape.course.grader.calls import KINDS, NO_LINE, Call, Item, Numbers, State, base
 from landscape.course.grader.evidence import Evidence, Frame
 from landscape.course.grader.recorded import MOST_SIDE
 from landscape.course.grader.stream import Answer, Blobs
@@ -257,7 +257,7 @@ def load(path: Path, answer: Answer, wanted: Sequence[int]) -> Evidence:
 class _Reader:
     def __init__(self, answer: Mapping[str, Any], blobs: Sequence[memoryview]) -> None:
         first, *others = answer["states"] or [{}]
-        self._states: list[Mapping[str, Any]] = [first]
+        self._states: list[State] = [first]
         # Not merged: a forged first state may be large, and the others many.
         self._states += [ChainMap(each, first) for each in others]
         self._count = self._objects = 0  # of calls so far

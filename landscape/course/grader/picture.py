@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from framelens.program.program import LIMIT, run
+from framelens.program.program_events import Events
 from framelens.program.program_run import Window
 from framelens.tape.buffers import Buffers
 
@@ -13,7 +14,7 @@ from framelens.tape.buffers import Buffers
 def pictures(
     path: str | Path,
     frames: Iterable[int],
-    events: object = None,
+    events: Events = None,
     backend: str = "auto",
     limit: float = LIMIT,
 ) -> list[np.ndarray]:

@@ -33,13 +33,14 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import IO, Any
+from typing import IO
 
 from framelens.base.errors import InputError, NoOpenGLError, UnexpectedError, raised_at
 from framelens.system import containment, limits
 from landscape.course.grader import confinement
 from landscape.course.grader.budget import MEGABYTES, SECONDS
 from landscape.course.grader.confinement import AUTO, NONE
+from landscape.course.grader.order import Order
 from landscape.course.grader.stream import MOST_BYTES, PART, Answer, received, widen
 from landscape.course.grader.workplace import Workplace, overfull
 
@@ -63,7 +64,9 @@ MUCH = "much"  # it took more threads, or shared memory, than it may
 TOO_MUCH = (FULL, MUCH)
 STATUS = "status "
 # Why the system contains no programs.
-NO_SYSTEM, NEEDS_SCREEN, NOT_OPENED = "no system", "needs a screen", "not opened"
+NO_SYSTEM = "no system"
+NEEDS_SCREEN = "needs a screen"
+NOT_OPENED = "not opened"
 
 
 @dataclass(frozen=True)
@@ -79,7 +82,7 @@ class Job:
 
     path: str
     frames: Sequence[int]
-    events: Sequence[dict[str, Any]] = ()
+    events: Sequence[dict[str, object]] = ()
     calls: bool = True
     seconds: float = SECONDS
     megabytes: int = MEGABYTES
@@ -89,6 +92,26 @@ class Job:
     again: bool = False
     recorded: str = ""
     take: int = 0
+
+    def order(self, folder: Path, hidden: Sequence[str] = ()) -> Order:
+        """Return it as a process gets it, which may write into a folder."""
+        return Order(
+            path=self.path,
+            frames=self.frames,
+            events=self.events,
+            calls=self.calls,
+            seconds=self.seconds,
+            megabytes=self.megabytes,
+            trusted=self.trusted,
+            why=self.why,
+            private=self.private,
+            again=self.again,
+            recorded=self.recorded,
+            take=self.take,
+            folder=str(folder),
+            cwd=os.getcwd(),
+            hidden=[*self.private, *hidden],
+        )
 
 
 @dataclass(frozen=True)
@@ -155,16 +178,8 @@ class Sandbox:
             with place.parts(len(jobs)) as places:
                 # Programs get a home of their own; other graders' lie in the temporary folder.
                 hidden = os.path.expanduser("~"), tempfile.gettempdir(), str(place.folder)
-                asked = [
-                    {
-                        **vars(job),
-                        "folder": str(each),
-                        "cwd": os.getcwd(),
-                        "hidden": [*job.private, *hidden],
-                    }
-                    for job, each in zip(jobs, places, strict=True)
-                ]
-                ends = self._forked(asked) if limits.FORKS else _spawned(asked, self.contain)
+                orders = [job.order(own, hidden) for job, own in zip(jobs, places, strict=True)]
+                ends = self._forked(orders) if limits.FORKS else _spawned(orders, self.contain)
             outcomes = []
             for job, end in zip(jobs, ends, strict=True):
                 answer = received(end.data)
@@ -207,11 +222,11 @@ class Sandbox:
         finally:
             path.unlink(missing_ok=True)
 
-    def _forked(self, asked: list[dict[str, Any]]) -> list["End"]:
+    def _forked(self, orders: list[Order]) -> list["End"]:
         """Let the waiting process run jobs; return how each ended."""
         if self._server is None:
             self._server = _Server(self.contain)
-        return self._server.run(asked)
+        return self._server.run(orders)
 
     def close(self) -> None:
         """End the waiting process, and delete what programs wrote; may be called twice."""
@@ -243,11 +258,11 @@ class _Server:
         widen(self._process.stdout.fileno())
         self.pid = self._process.pid
 
-    def run(self, asked: list[dict[str, Any]]) -> list[End]:
+    def run(self, orders: list[Order]) -> list[End]:
         """Let it run jobs; return how each ended."""
         assert self._process.stdin is not None and self._process.stdout is not None
         try:
-            self._process.stdin.write(json.dumps(asked).encode() + b"\n")
+            self._process.stdin.write(json.dumps(orders).encode() + b"\n")
             self._process.stdin.flush()
             line = self._process.stdout.readline()
         except BrokenPipeError:
@@ -271,12 +286,12 @@ class _Server:
         self._errors.close()
 
 
-def _spawned(asked: list[dict[str, Any]], contain: str) -> list[End]:
+def _spawned(orders: list[Order], contain: str) -> list[End]:
     """Run jobs beside each other, each in a Python of its own; return how each ended."""
     running: list[_Spawned] = []
     try:
-        for job in asked:
-            running.append(_Spawned(job, contain))
+        for order in orders:
+            running.append(_Spawned(order, contain))
         while any([process.runs() for process in running]):
             time.sleep(PAUSE)
         return [process.ended() for process in running]
@@ -288,16 +303,16 @@ def _spawned(asked: list[dict[str, Any]], contain: str) -> list[End]:
 class _Spawned:
     """A Python that runs one job."""
 
-    def __init__(self, job: dict[str, Any], contain: str) -> None:
-        self._folder = Path(job["folder"])
-        self._seconds = job["seconds"]
-        self._ready: dict[str, Any] = {}
+    def __init__(self, order: Order, contain: str) -> None:
+        self._folder = Path(order["folder"])
+        self._seconds = order["seconds"]
+        self._ready: dict[str, str] = {}
         self._reason = ""
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115
         self._process = _start("sandboxed", [str(os.getpid()), contain], self._errors, contain)
         assert self._process.stdin is not None and self._process.stdout is not None
         with contextlib.suppress(BrokenPipeError), self._process.stdin as jobs:
-            jobs.write(json.dumps(job).encode())
+            jobs.write(json.dumps(order).encode())
         self._pipe = self._process.stdout
         self._lines: list[bytes] = []  # the first line, which says whether it is ready
         self._data = bytearray()

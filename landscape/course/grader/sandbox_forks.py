@@ -14,12 +14,13 @@ import tempfile
 import time
 import traceback
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import IO, Any, NoReturn
+from typing import IO, NoReturn
 
 from framelens.system import limits
 from landscape.course.grader.confinement import LANDLOCK
+from landscape.course.grader.order import Order
 from landscape.course.grader.sandbox import (
     FILE_BYTES,
     FULL,
@@ -119,8 +120,7 @@ def _opens(ours: Prepared) -> bool:
         own = path.parent / "own"
         own.mkdir()
         job = Job(str(path), [0], calls=False)
-        asked = {**asdict(job), "folder": str(own), "cwd": os.getcwd(), "hidden": []}
-        (found,) = _run([asked], ours)
+        (found,) = _run([job.order(own)], ours)
     answer = received(bytes(found.data))
     return answer is not None and "frames" in answer[0]
 
@@ -189,9 +189,9 @@ class _Running:
             self.said = errors_in(self.errors)
 
 
-def _run(jobs: list[dict[str, object]], ours: Prepared) -> list[_Running]:
+def _run(orders: list[Order], ours: Prepared) -> list[_Running]:
     """Run jobs beside each other; return their processes, which have ended."""
-    started = [_begin(job, ours) for job in jobs]
+    started = [_begin(order, ours) for order in orders]
     running = list(started)
     while running:
         due = min(each.deadline for each in running) - time.monotonic()
@@ -209,7 +209,7 @@ def _run(jobs: list[dict[str, object]], ours: Prepared) -> list[_Running]:
     return started
 
 
-def _begin(job: dict[str, Any], ours: Prepared) -> _Running:
+def _begin(order: Order, ours: Prepared) -> _Running:
     """Start the process of a job."""
     pipe, answers = os.pipe()
     widen(pipe)
@@ -220,10 +220,10 @@ def _begin(job: dict[str, Any], ours: Prepared) -> _Running:
     if pid == 0:
         os.setsid()
         limits.close_all_but(answers, errors.fileno())
-        run_program(job, us, ours, answers, errors.fileno())
+        run_program(order, us, ours, answers, errors.fileno())
     os.close(answers)
-    deadline = time.monotonic() + job["seconds"] + GRACE
-    return _Running(pid, pipe, errors, Path(job["folder"]), job["megabytes"], deadline)
+    deadline = time.monotonic() + order["seconds"] + GRACE
+    return _Running(pid, pipe, errors, Path(order["folder"]), order["megabytes"], deadline)
 
 
 def _holds(pid: int) -> tuple[int, int]:

@@ -1,8 +1,8 @@
 """What runs in the sandbox's processes: a program within its limits (see sandbox.py).
 
 As a module of its own, ``python -m landscape.course.grader.sandboxed PARENT CONTAIN`` runs one
-program: the job is its standard input, and what it sends its standard output; the process ends when
-the process PARENT does.
+program: its order is its standard input, and what it sends its standard output; the process ends
+when the process PARENT does.
 """
 
 import contextlib
@@ -15,11 +15,11 @@ import tempfile
 import traceback
 from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 from framelens.system import containment, limits
 from landscape.course.grader import confinement, shader_cache
 from landscape.course.grader.confinement import LANDLOCK, NONE, PYTHON, REQUIRE
+from landscape.course.grader.order import Order
 from landscape.course.grader.sandbox import (
     FILE_BYTES,
     GRACE,
@@ -70,7 +70,8 @@ class Prepared:
 
     def give_up(self, reason: str) -> None:
         """Let Python alone contain the programs."""
-        self.contained, self.reason, self.shaders = PYTHON, reason, None
+        self.contained, self.reason = PYTHON, reason
+        self.shaders = None
 
     @property
     def uncontained(self) -> str:
@@ -111,9 +112,7 @@ def prepare(stack: contextlib.ExitStack, contain: str) -> Prepared:
     return found
 
 
-def run_program(
-    job: dict[str, Any], parent: int, ours: Prepared, answers: int, errors: int
-) -> None:
+def run_program(order: Order, parent: int, ours: Prepared, answers: int, errors: int) -> None:
     """Run one program within its limits, and end the process.
 
     ``answers`` is the pipe for what it sends, ``errors`` the file for what faulthandler writes.
@@ -124,33 +123,32 @@ def run_program(
         discard = os.open(os.devnull, os.O_RDWR)
         for number in range(3):
             os.dup2(discard, number)
-        os.chdir(job["cwd"])
-        folder = Path(job["folder"])
+        os.chdir(order["cwd"])
+        folder = Path(order["folder"])
         tempfile.tempdir = str(folder)
         os.environ.update(dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(folder)))
-        limits.limit_work(int(job["seconds"] + GRACE) + 1, FILE_BYTES)
+        limits.limit_work(int(order["seconds"] + GRACE) + 1, FILE_BYTES)
         limits.limit_open_files(MOST_OPEN)
-        limits.limit_memory(limits.used() + (job["megabytes"] << 20))
+        limits.limit_memory(limits.used() + (order["megabytes"] << 20))
         if ours.backend == "osmesa":
-            limits.limit_addresses(
-                job["megabytes"] << 20
-            )  # drivers of cards take them by terabytes
+            # Drivers of cards take them by terabytes.
+            limits.limit_addresses(order["megabytes"] << 20)
         from landscape.course.grader import witness
 
-        if job["why"]:
+        if order["why"]:
             from landscape.course.grader import cause  # before its file can no more be read
-        if job["recorded"]:
+        if order["recorded"]:
             from landscape.course.grader import recorded
 
-            recorded.play(Path(job["recorded"]), job["take"])
+            recorded.play(Path(order["recorded"]), order["take"])
         if ours.contained == LANDLOCK:
-            _confine(job, folder, ours)
+            _confine(order, folder, ours)
         # Where the program is when it crashes, for the grader.
         faulthandler.enable(errors, all_threads=False)
-        if job["why"]:
-            send(answers, {"cause": cause.of(job["path"], max(job["frames"]), job["why"])})
+        if order["why"]:
+            send(answers, {"cause": cause.of(order["path"], max(order["frames"]), order["why"])})
         else:
-            witness.run(job, answers, leave)
+            witness.run(order, answers, leave)
         leave(0)
     except BaseException:
         try:
@@ -161,18 +159,18 @@ def run_program(
             leave(1)
 
 
-def _confine(job: dict[str, Any], folder: Path, ours: Prepared) -> None:
+def _confine(order: Order, folder: Path, ours: Prepared) -> None:
     """Leave this process to what its program may have; its home is its own folder."""
-    written = shader_cache.use(ours.shaders, folder, job["trusted"])
+    written = shader_cache.use(ours.shaders, folder, order["trusted"])
     os.environ["HOME"] = str(folder)
     readable = [ours.shaders] if ours.shaders is not None else []
-    confinement.confine(Path(job["path"]), readable, [folder, *written], job["hidden"])
+    confinement.confine(Path(order["path"]), readable, [folder, *written], order["hidden"])
 
 
 def main(parent: int, contain: str) -> None:
-    """Run the program of the job that standard input holds, in this process."""
+    """Run the program of the order that standard input holds, in this process."""
     limits.end_with(parent)
-    job = json.load(sys.stdin)
+    order = json.load(sys.stdin)
     answers, errors = os.dup(1), os.dup(2)
     with contextlib.ExitStack() as stack:
         ours = prepare(stack, contain)
@@ -183,7 +181,7 @@ def main(parent: int, contain: str) -> None:
         }
         os.write(answers, json.dumps(ready).encode() + b"\n")
         if not (ours.no_opengl or ours.uncontained):
-            run_program(job, parent, ours, answers, errors)
+            run_program(order, parent, ours, answers, errors)
 
 
 if __name__ == "__main__":

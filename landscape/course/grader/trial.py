@@ -11,7 +11,6 @@ import random
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from landscape.course.grader.evidence import Evidence
 from landscape.course.grader.grading import MOST, Hint, Test, Text, _, differing, hint, test
@@ -23,6 +22,9 @@ SOME = (5, 6, 7)  # chosen: presses; three times as many are over half a turn, b
 HIGH = (280, 360), (400, 520)  # chosen: width and height of a window that is higher than wide
 WIDE = (520, 700), (280, 360)
 ENDS = ("ESCAPE",)  # keys that close the window
+Step = tuple[str | tuple[int, int], tuple[int, ...]]
+"""A key, and how often it may be pressed; or the bounds of the width and height of a window."""
+
 KEY = re.compile(r"\bKEY_(\w+)")
 
 
@@ -42,12 +44,12 @@ def trial(code: str, chance: random.Random) -> Trial:
     """Return a trial of an exercise from its solution's code, which names the keys."""
     keys = sorted(set(KEY.findall(code)) - set(ENDS))
     chance.shuffle(keys)
-    steps: list[Any] = [(key, count) for key in keys for count in (FEW, SOME, SOME, SOME)]
+    steps: list[Step] = [(key, count) for key in keys for count in (FEW, SOME, SOME, SOME)]
     steps.insert(chance.randint(0, len(steps) // 2), HIGH)
     steps.append(WIDE)
 
     frame = chance.randint(1, 3)
-    events: list[dict[str, Any]] = []
+    events: list[dict[str, object]] = []
     pressed = dict.fromkeys(keys, 0)
     presses: dict[int, Mapping[str, int]] = {}
     for what, bounds in steps:

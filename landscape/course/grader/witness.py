@@ -12,7 +12,6 @@ from contextlib import ExitStack
 from functools import cache
 from pathlib import Path
 from types import FrameType
-from typing import Any
 
 from framelens.base.errors import InputError, NoOpenGLError
 from framelens.gl.framebuffer import read_pixels
@@ -26,6 +25,7 @@ from framelens.spec import spec
 from framelens.state import state
 from landscape.course.grader import recorded
 from landscape.course.grader.evidence_file import Writer, only_gives_numbers
+from landscape.course.grader.order import Order
 from landscape.course.grader.refusals import Refusals
 from landscape.course.grader.stream import send
 from landscape.course.grader.trial import Trial
@@ -44,13 +44,13 @@ MATRICES = {  # by the names of the state
 }
 
 
-def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
+def run(order: Order, answers: int, leave: Callable[[int], object]) -> None:
     """Run a program and send the evidence into a pipe; ``leave`` ends the process."""
-    refusals = Refusals(job["path"], tempfile.gettempdir(), job["private"])
+    refusals = Refusals(order["path"], tempfile.gettempdir(), order["private"])
     sys.addaudithook(refusals)
-    witness = Witness(job["path"], job["frames"], job["calls"], job["again"])
+    witness = Witness(order["path"], order["frames"], order["calls"], order["again"])
 
-    def end(found: dict[str, Any]) -> None:
+    def end(found: dict[str, object]) -> None:
         try:
             send(answers, found, witness.blobs)
         except MemoryError:
@@ -68,17 +68,17 @@ def run(job: dict[str, Any], answers: int, leave: Callable[[int], Any]) -> None:
     try:
         with witness:
             program.run(
-                job["path"],
-                max(job["frames"]),
-                job["events"] or None,
-                limit=job["seconds"],
+                order["path"],
+                max(order["frames"]),
+                order["events"] or None,
+                limit=order["seconds"],
                 observer=witness,
             )
     except ProgramError as error:
-        late = f"within {job['seconds']:g} s" in str(error)
+        late = f"within {order['seconds']:g} s" in str(error)
         end({"error": _trouble(error, witness, refusals, late)})
     except KeyboardInterrupt as error:  # its own: there is no keyboard
-        failure = raised(Path(job["path"]), error)
+        failure = raised(Path(order["path"]), error)
         end({"error": _trouble(failure, witness, refusals, late=False)})
     except (InputError, NoOpenGLError) as error:
         end({"error": {"word": "refused", "reason": str(error)}})

@@ -26,8 +26,13 @@ from landscape.scene.scene import find_view
 
 COURSE = Path(__file__).resolve().parents[1] / "lectures" / "course.txt"
 MOST_BYTES = 1 << 20  # chosen: of a lecture's file
-LESSON, VIEW, PROGRAM = "lesson", "view", "program"  # kinds of steps
-PICTURE, TEXT = "picture", "slide"  # "text" is a lesson
+# Kinds of steps.
+LESSON = "lesson"
+VIEW = "view"
+PROGRAM = "program"
+PICTURE = "picture"
+TEXT = "slide"  # "text" is a lesson
+
 PICTURES = (".png", ".jpg", ".jpeg", ".webp")
 PAPERS = ("16:9", "a4")  # of a PDF: slides, or a handout with notes
 KEYS = ("title", "code", "note", "keys", "frame")

@@ -37,7 +37,11 @@ WINDOW = 4  # k-grams, chosen: what is as long as GRAM + WINDOW - 1 tokens is fo
 COMMON = 4, 20  # chosen: what more than so many have, or than a 20th of the class, is not rare
 LEAST = 8.0  # chosen: a pair with less is not shown
 MANY = 30  # chosen: pairs that are shown
-COMMENT, NAME, NUMBER, TEXT, SEQUENCE = "comment", "name", "number", "text", "sequence"
+COMMENT = "comment"
+NAME = "name"
+NUMBER = "number"
+TEXT = "text"
+SEQUENCE = "sequence"
 WORDS = {  # as a reader sees them
     COMMENT: _("comment"),
     NAME: _("name"),

@@ -60,7 +60,8 @@ class _Room:
     """How many bytes of programs may still be read of what the user names, or of a student."""
 
     def __init__(self, name: str, most: int) -> None:
-        self._name, self._most, self._left = name, most, most
+        self._name = name
+        self._most = self._left = most
 
     def take(self, data: bytes) -> bytes:
         """Return the bytes; InputError if they are too many."""

@@ -7,18 +7,33 @@ same; so each of these has a table of its own.
 
 import json
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
 
 ROW = "all"  # of a result: all techniques, in lines, without the removal of hidden ones
 MOST_BYTES = 1 << 20  # chosen: a result takes some kilobytes
-MACHINE = "machine"
 
 
-def read(path: Path) -> dict[str, object]:
+@dataclass(frozen=True)
+class Ranked:
+    """What is compared of a result: how fast which machine drew a flight, and with what."""
+
+    environment: str
+    hash: str
+    size: tuple[int, int]
+    frames: int
+    fps: float
+    ms: float
+    processes: int
+    version: str
+    machine: str  # its processor, and its versions of Python and numpy
+    file: str
+
+
+def read(path: Path) -> Ranked:
     """Return a result; InputError if the file is none."""
     wrong = InputError("{path}: expected a result of `landscape flyover --bench --json`", path=path)
     try:
@@ -26,25 +41,40 @@ def read(path: Path) -> dict[str, object]:
     except (ValueError, RecursionError) as error:
         raise InputError("{wrong} ({error})", wrong=wrong, error=error) from None
     try:
-        row = found["rows"][ROW]
-        numbers = [*map(float, (row["fps"], row["ms"], found["frames"], *found["size"]))]
+        row, machine = found["rows"][ROW], found["machine"]
         texts = [found["environment"], found["hash"], found["version"]]
-        texts += [found[MACHINE][name] for name in ("processor", "python", "numpy")]
-    except (KeyError, TypeError, ValueError, OverflowError, RecursionError):
+        texts += [machine[name] for name in ("processor", "python", "numpy")]
+        width, height = map(int, found["size"])
+        numbers = [float(row["fps"]), float(row["ms"])]
+        counts = [int(found["frames"]), int(found.get("processes", 1))]
+    except (KeyError, TypeError, ValueError, OverflowError, RecursionError, AttributeError):
         raise wrong from None
-    if len(numbers) != 5 or not all(isinstance(text, str) for text in texts):
+    if not all(isinstance(text, str) for text in texts):
         raise wrong
-    return {**found, "file": path.name}
+
+    environment, digest, version, *parts = texts
+    return Ranked(
+        environment=environment,
+        hash=digest,
+        size=(width, height),
+        frames=counts[0],
+        fps=numbers[0],
+        ms=numbers[1],
+        processes=counts[1],
+        version=version,
+        machine=", ".join(parts),
+        file=path.name,
+    )
 
 
-def ranking(results: Sequence[dict[str, Any]]) -> str:
+def ranking(results: Sequence[Ranked]) -> str:
     """Return a table for each environment, size and number of frames, the fastest first."""
-    tables: dict[tuple[Any, ...], list[dict[str, Any]]] = {}
+    tables: dict[tuple[str, str, tuple[int, int], int], list[Ranked]] = {}
     for result in results:
-        key = result["environment"], result["hash"], *result["size"], result["frames"]
+        key = result.environment, result.hash, result.size, result.frames
         tables.setdefault(key, []).append(result)
     lines: list[str] = []
-    for (environment, digest, width, height, frames), found in sorted(tables.items()):
+    for (environment, digest, (width, height), frames), ranked in sorted(tables.items()):
         lines += [""] if lines else []
         lines.append(
             f"{environment} ({digest[:8]}), {width}x{height}, {frames} frames, row {ROW!r}"
@@ -52,13 +82,11 @@ def ranking(results: Sequence[dict[str, Any]]) -> str:
         lines.append(
             f"{'':>3}{'frames/s':>9}{'ms':>9}  processes  version  machine, Python, numpy, file"
         )
-        found.sort(key=lambda each: -float(each["rows"][ROW]["fps"]))
-        for rank, each in enumerate(found, 1):
-            row, machine = each["rows"][ROW], each[MACHINE]
+        ranked.sort(key=lambda each: -each.fps)
+        for rank, each in enumerate(ranked, 1):
             lines.append(
-                f"{rank:>3}{row['fps']:9.1f}{row['ms']:9.1f}  {each.get('processes', 1):>9}  "
-                f"{each['version']:<7}  {machine['processor']}, {machine['python']}, "
-                f"{machine['numpy']}, {each['file']}"
+                f"{rank:>3}{each.fps:9.1f}{each.ms:9.1f}  {each.processes:>9}  "
+                f"{each.version:<7}  {each.machine}, {each.file}"
             )
 
     return "\n".join(lines)

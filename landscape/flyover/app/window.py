@@ -69,7 +69,8 @@ WALKING = {
     "escape": "help.escape",
 }
 STEP = 1 / 30  # seconds of flight, chosen: of a single step
-SLOWEST, FASTEST, FACTOR = 1 / 16, 16.0, math.sqrt(2.0)  # chosen: of the speed, and of a key press
+SLOWEST, FASTEST = 1 / 16, 16.0  # chosen: times the speed
+FACTOR = math.sqrt(2.0)  # chosen: of a key press
 LONGEST = 0.25  # seconds, chosen: after a longer pause the flight goes on where it was
 COUNTED, SHOWN = 0.5, 2.5  # seconds, chosen: between two counts, and that a message is shown
 

@@ -30,7 +30,11 @@ SIZE = 0.070  # chosen: half the dragon's length
 CELL, FAR_CELL = 0.07, 0.11  # chosen: side of the merged cubes, of a mesh of 2, near and far
 FAR = 1.25  # chosen: units from which lines are so close that fewer look the same
 YAW, TURN = 100.0, 0.25  # chosen: degrees, and degrees in a kt
-PAPER, INK, FRAME = (0.86, 0.79, 0.64), (0.20, 0.12, 0.07), (0.24, 0.15, 0.09)  # chosen
+# Chosen.
+PAPER = (0.86, 0.79, 0.64)
+INK = (0.20, 0.12, 0.07)
+FRAME = (0.24, 0.15, 0.09)
+
 # Chosen: x, half the width, lower and upper edge, and border of the sheet of paper behind it.
 SHEET = (0.822, 0.098, TOP - 0.03, TOP + 0.122, 0.005)
 

@@ -28,7 +28,8 @@ from landscape.hall.exhibits.niche import BLUR, MIDDLE, TOP, lit_by
 from landscape.hall.settings import Settings
 
 TURN = 11.0  # chosen: degrees that the sails turn in a kt
-SAILS, LONG, WIDE = 4, 0.062, 0.017  # chosen: count, length and width in units
+SAILS = 4  # chosen
+LONG, WIDE = 0.062, 0.017  # chosen: length and width of a sail in units
 AXLE = TOP + 0.075  # chosen: height of the axle
 FRONT = 0.034  # chosen: from the mill's middle to the sails, units
 TOWER = ((0.030, 0.0), (0.030, 0.006), (0.026, 0.006), (0.0175, 0.066))  # radius, height

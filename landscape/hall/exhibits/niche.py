@@ -200,7 +200,9 @@ def plates() -> np.ndarray:
 
 def send_plates() -> None:
     """Send the quads of the titles on the fronts of the pedestals."""
-    (half, low, high), x, count = PLATE, MIDDLE + HALF - 0.01 + INSET, len(TITLES)
+    half, low, high = PLATE
+    x = MIDDLE + HALF - 0.01 + INSET
+    count = len(TITLES)
     gl.glBegin(gl.GL_QUADS)
     for number, z in enumerate(plan.ALCOVES):
         # One looks to the west: the text runs to the north, towards smaller z.

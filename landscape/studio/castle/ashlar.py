@@ -12,7 +12,7 @@ import numpy as np
 from scipy import ndimage
 
 from landscape.studio.castle.masonry import OVERSAMPLE, finish, light_relief, tile_axes
-from landscape.studio.images import bleed, shrink, smoothstep, spectral_noise, to_srgb, to_uint8
+from landscape.studio.images import bleed, cut_out, shrink, smoothstep, spectral_noise
 
 SIZE = 512
 COURSES = 13  # chosen: per tile, which covers a third of a wall of 17 m
@@ -250,15 +250,7 @@ def leaves(seed: int, ivy: bool) -> np.ndarray:
             under = 0.30 * under * (1.0 - cover)
             picture[..., :3] *= 1.0 - under[..., None]
 
-    small = shrink(np.dstack([picture[..., :3] * picture[..., 3:], picture[..., 3]]), scale)
-    colour = small[..., :3] / np.maximum(small[..., 3:], 1e-4)
-    rgba = to_uint8(np.dstack([to_srgb(colour), small[..., 3]]))
-    rgba[[0, -1], :, 3] = 0
-    rgba[:, [0, -1], 3] = 0
-
-    # Five bits per colour are enough for leaves, and make the file smaller.
-    rgba[..., :3] = (rgba[..., :3] >> 3) * 8 + 4
-    return rgba
+    return cut_out(shrink(np.dstack([picture[..., :3] * picture[..., 3:], picture[..., 3]]), scale))
 
 
 def castle_leaves() -> np.ndarray:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from landscape.studio.images import bleed, shrink, smoothstep, spectral_noise, to_srgb, to_uint8
+from landscape.studio.images import bleed, cut_out, shrink, smoothstep, spectral_noise
 
 CELL = 128  # texels per side of one leaf
 COLUMNS, ROWS = 4, 2  # leaves of the sheet
@@ -92,15 +92,7 @@ def leaf(number: int) -> np.ndarray:
     colour = colour + (0.75 * line * (1.0 - 0.4 * young))[..., None] * (VEIN - colour)
     colour = colour * (light * (1.0 - 0.22 * edge))[..., None]
 
-    small = shrink(np.dstack([np.maximum(colour, 0.0) * cover[..., None], cover]), SCALE)
-    plain = small[..., :3] / np.maximum(small[..., 3:], 1e-4)
-    rgba = to_uint8(np.dstack([to_srgb(plain), small[..., 3]]))
-    rgba[[0, -1], :, 3] = 0
-    rgba[:, [0, -1], 3] = 0
-
-    # Five bits per colour are enough for leaves, and make the file smaller.
-    rgba[..., :3] = (rgba[..., :3] >> 3) * 8 + 4
-    return rgba
+    return cut_out(shrink(np.dstack([np.maximum(colour, 0.0) * cover[..., None], cover]), SCALE))
 
 
 def castle_ivy() -> np.ndarray:

@@ -157,7 +157,9 @@ def hall_light() -> np.ndarray:
     picture = np.zeros((PICTURE, PICTURE, 3), np.uint8)
 
     def put(place: tuple[int, int], sheet: str, image: np.ndarray) -> None:
-        (x, y), (width, height), (u, v) = place, SIZES[sheet], ORIGINS[sheet]
+        x, y = place
+        width, height = SIZES[sheet]
+        u, v = ORIGINS[sheet]
         picture[y : y + height, x : x + width] = image[v : v + height, u : u + width]
 
     put(HALL, "hall", coded(both))

@@ -45,7 +45,11 @@ FLAME = 0.012, 0.022  # chosen: radius of a flame that shines, and its height ab
 # Chosen: in the pool, where the waves bend the rays; a small fraction of them, as the caustics show
 # what the waves do.
 SUN_IN_WATER = 0.10
-SUN_SAMPLES, SKY_SAMPLES, TORCH_SAMPLES = 24, 4, 4  # chosen
+# Chosen.
+SUN_SAMPLES = 24
+SKY_SAMPLES = 4
+TORCH_SAMPLES = 4
+
 NEAR = 0.03  # chosen: within this distance a flame's light hardly grows
 STATUE_CELL = 0.03  # chosen: side of the cubes whose vertices are merged, of a mesh of 2
 LIFT = 2e-4  # of a ray's start above its surface, in units

@@ -22,7 +22,11 @@ SIZE = (960, 540)  # pixels
 FINE = 3  # the picture is drawn so many times as large, and made smaller
 BOX = (90, 30, 930, 470)  # chosen: pixels of the axes: left, top, right, bottom
 COLORS = 64  # chosen: of its palette
-PAPER, GRID, WORDS = (15, 20, 27), (52, 66, 82), (242, 242, 236)  # chosen: as a lecture's plates
+# Chosen: as a lecture's plates.
+PAPER = (15, 20, 27)
+GRID = (52, 66, 82)
+WORDS = (242, 242, 236)
+
 EXACT, POWER = (110, 176, 214), (230, 126, 76)  # chosen
 
 

@@ -32,7 +32,11 @@ LENGTH = 0.038  # of the longest hair
 COMBED = np.array([-1.0, -0.75, 0.0])  # where hairs point, times their length; the head is at +x
 CUBE = 0.055  # side of the cubes whose vertices are merged before shells are made
 REPEAT = 4.5  # textures of hairs over 2 units
-SIDE, HAIRS, THICK = 128, 3600, (1.0, 2.2)  # the texture: texels, hairs, radius of their roots
+# The texture: texels a side, hairs, and the radius of their roots in texels.
+SIDE = 128
+HAIRS = 3600
+THICK = (1.0, 2.2)
+
 ROOT, TIP = 0.70, 1.14  # brightness of the lowest and of the highest shell
 DARK, BARE = 50, 0.06  # mean colour under which a vertex is an eye; how far the bald reaches
 PINK = (35, 46)  # red minus green of skin: from the first on hairs get shorter

@@ -312,6 +312,11 @@ def lay_strip(
     coordinates[strip, 1] = np.array([[y + 0.5], [y + high - 0.5]]) / side
 
 
+def empty_map(mesh: Mesh, side: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return a white light map, uint8 (side, side, 3), and coordinates 0, float32 (n, 2)."""
+    return np.full((side, side, 3), 255, np.uint8), np.zeros((len(mesh.vertices), 2), np.float32)
+
+
 def light_map(
     mesh: Mesh, strips: Sequence[np.ndarray], sun: Sun, yaw: float, torches: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -322,8 +327,7 @@ def light_map(
     strip's borders have their centres on them, so that neighbouring strips do not bleed in.
     """
     sizes = box_sizes(mesh, strips)
-    picture = np.full((SIDE, SIDE, 3), 255, np.uint8)
-    coordinates = np.zeros((len(mesh.vertices), 2), np.float32)
+    picture, coordinates = empty_map(mesh, SIDE)
     places = []
     normals = []
     boxes = []

@@ -42,7 +42,11 @@ from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
 
 REACH = 1.8  # chosen: radius of the castle's bounding sphere, centred in the walls
-SLATE, DARK, WOOD = (0.56, 0.59, 0.68), (0.07, 0.06, 0.06), (0.35, 0.25, 0.16)  # chosen
+# Chosen.
+SLATE = (0.56, 0.59, 0.68)
+DARK = (0.07, 0.06, 0.06)
+WOOD = (0.35, 0.25, 0.16)
+
 BY_DAY = 0.5  # chosen: fraction of the flickering glow that is visible; torches add to it
 SHADE = (0.42, 0.42, 0.45)  # chosen: of the door within; the yard is in the shadow of its walls
 WARM = np.array([1.1, 0.62, 0.3])  # chosen: the light of larger flames is less yellow

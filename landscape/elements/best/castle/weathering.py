@@ -12,6 +12,7 @@ import numpy as np
 from landscape.elements.best.castle.baked_light import (
     arriving,
     box_sizes,
+    empty_map,
     lay_strip,
     noise,
     sampled,
@@ -121,8 +122,7 @@ def worn_light_map(
     coarse = warmed(arriving(points, facing, sun, yaw, torches), facing, sun, yaw)
     coarse *= stains(points, facing)
     fine_sizes = [(2 * wide - 1, 2 * high - 1) for wide, high in sizes]
-    picture = np.full((SIDE, SIDE, 3), 255, np.uint8)
-    coordinates = np.zeros((len(mesh.vertices), 2), np.float32)
+    picture, coordinates = empty_map(mesh, SIDE)
     corners = shelves(fine_sizes, SIDE)
     for k, (strip, (wide, high), (x, y)) in enumerate(
         zip(strips, fine_sizes, corners, strict=True)

@@ -35,7 +35,11 @@ PALE = (184, 178, 166)
 WOOD = (158, 148, 133)
 MOSS = (88, 97, 52)
 LICHEN = (160, 160, 142)
-SUN, SKY, BOUNCE = (0.66, 0.60, 0.52), (0.42, 0.48, 0.60), (0.03, 0.03, 0.02)  # linear light
+# Linear light.
+SUN = (0.66, 0.60, 0.52)
+SKY = (0.42, 0.48, 0.60)
+BOUNCE = (0.03, 0.03, 0.02)
+
 ALIKE = 0.8  # how far a stone has the hue of bare ground around it
 WET = 0.55  # of the colour is left on wet stone
 TIDE = 0.012  # units above the water to which waves wet it

@@ -142,7 +142,8 @@ class Terrain(Ground):
         wanted = ground.ledges and ground.exact_height and ground.tiles > 1
         if not wanted or not ground.materials or not possible("ground.ledges"):
             return None
-        field, large, strength = self.field, self.large, ground.ledges
+        field, large = self.field, self.large
+        strength = ground.ledges
         what = "ledges", str(strength), *field.made_from, large.tobytes()
         raised = recall(what, lambda: (relief(field, large, strength),))[0]
         finer = HeightField(raised, field.size, field.water_level, exact=True)
