@@ -9,6 +9,8 @@ import numpy as np
 from framelens.base.arguments import finite, plain
 from framelens.base.errors import InputError, short
 
+SEED = 2006  # chosen: of everything random, unless another is asked for; the year of the report
+
 
 @dataclass(frozen=True)
 class Pose:

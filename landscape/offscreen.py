@@ -19,11 +19,10 @@ from framelens.gl.seam import Edits, edited, gl, recording, unnoted
 from framelens.state import state
 from framelens.tape.tape import Tape
 from landscape.files.assets import Assets
-from landscape.frame import Pose, checked_pose
+from landscape.frame import SEED, Pose, checked_pose
 from landscape.geometry.digging import Diggable, read_world
 from landscape.scene.scene import (
     SCENES,
-    SEED,
     Moment,
     OpenScene,
     Scene,

@@ -25,9 +25,9 @@ from landscape.bench.tone import CASES
 from landscape.cli import main
 from landscape.elements.settings import preset
 from landscape.files.assets import Assets
-from landscape.frame import Pose
+from landscape.frame import SEED, Pose
 from landscape.geometry.height_field import HeightField
-from landscape.scene.scene import SEED, Moment, OpenScene, find_view
+from landscape.scene.scene import Moment, OpenScene, find_view
 
 LIGHT = {**SMALL, "deer.count": 4}
 TINY: dict[str, Any] = {

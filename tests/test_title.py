@@ -18,9 +18,10 @@ from landscape.frame import Pose
 from landscape.scene.scene import SCENES, find_view, scene
 from landscape.walk import last
 from landscape.walk.last import LastWalk
+from landscape.walk.opening import covering
 from landscape.walk.thumbnails import FLIGHT, SIZE, thumbnail
 from landscape.walk.title import main_entries, view_entries
-from landscape.walk.title_image import Row, covering, title_image
+from landscape.walk.title_image import Row, title_image
 
 pytestmark = pytest.mark.window
 
@@ -296,7 +297,7 @@ for leave in (stays, escapes, closes):
         context = GLFWContext(size, backend="osmesa") if titled else None
         with watched(built.append):
             status = walk(kind, view, kind.settings, Assets(), size, backend="osmesa", frames=2,
-                          only=("floor", "mirror"), context=context, quiet=True)
+                          only=("floor", "mirror"), context=context, titled=titled, quiet=True)
         seen.append([status == TO_TITLE, len(built) > 1])
         if context is not None:
             context.release()

@@ -5,7 +5,7 @@ import json
 import os
 from collections.abc import Callable, Iterable
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from framelens.base.errors import InputError, short
 from framelens.base.texts import choose
@@ -13,10 +13,10 @@ from framelens.commands import option_values
 from framelens.commands.option_values import refusal
 from framelens.commands.parser import backend_option
 from framelens.commands.reporting import notify, on_program, own_input
-from framelens.tape.target import Target
 
 if TYPE_CHECKING:
     from framelens.program.program_frame import ProgramFrame
+    from framelens.tape.target import Target
 
 PROGRAM = (
     "the path of a .py program that uses PyOpenGL; what follows `--` are the program's own "
@@ -30,7 +30,7 @@ LIMIT = (
 )
 EDITS = "change single OpenGL calls as this file says"
 
-Show = Callable[[Target, argparse.Namespace], int]
+Show: TypeAlias = "Callable[[Target, argparse.Namespace], int]"
 """Looks into a frame as the options say, prints what it sees, and returns the exit status."""
 
 

@@ -27,9 +27,9 @@ from landscape.bench import tone
 from landscape.bench.timing import Layer, in_turns
 from landscape.elements.settings import Settings
 from landscape.files.assets import Assets
+from landscape.frame import SEED
 from landscape.scene.scene import (
     SCENES,
-    SEED,
     Moment,
     OpenScene,
     Scene,

@@ -21,8 +21,8 @@ from framelens.gl.framebuffer import read_pixels
 from framelens.gl.glfw_library import glfw
 from framelens.gl.seam import gl
 from landscape.files.assets import Assets
-from landscape.frame import FULL
-from landscape.scene.scene import SEED, Moment, OpenScene, Scene, View, find_view
+from landscape.frame import FULL, SEED
+from landscape.scene.scene import Moment, OpenScene, Scene, View, find_view
 from landscape.walk.app import Walk
 from landscape.walk.pace import FPS
 from landscape.walk.recording import Plan

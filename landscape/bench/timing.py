@@ -13,7 +13,7 @@ import numpy as np
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection
 from framelens.gl.texture import Texture
-from landscape.scene.scene import SEED
+from landscape.frame import SEED
 
 
 def timed(action: Callable[[], object]) -> float:

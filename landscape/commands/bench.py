@@ -72,7 +72,7 @@ def _moving(
 ) -> tuple[dict[str, object], str]:
     """Return what walks from the views show, and a table of it."""
     from landscape.bench import moving as bench_moving
-    from landscape.walk.title import SIZE
+    from landscape.walk.opening import SIZE
 
     if options.samples:
         raise InputError("--samples: not with --moving, as a walk has one sample per pixel")

@@ -7,8 +7,7 @@ from framelens.base import arguments
 from framelens.commands import option_values
 from framelens.commands.option_values import refusal
 from framelens.commands.parser import Options, backend_option
-from landscape.frame import Pose, checked_pose
-from landscape.scene.scene import SEED, scene
+from landscape.frame import SEED, Pose, checked_pose
 
 POSE = "where the eye is; angles in degrees; Y may be `ground`: eye height above the ground"
 KT = "animation time; default: the view's own"
@@ -29,6 +28,8 @@ class _Elements:
     """The names of the first scene's elements in a help text; read only when that is printed."""
 
     def __str__(self) -> str:
+        from landscape.scene.scene import scene
+
         return ", ".join(scene().elements)
 
 

@@ -10,8 +10,9 @@ from framelens.tape.edit_files import read
 from framelens.tape.edits import Edits
 from framelens.tape.tape import Tape
 from framelens.tape.target import untold
+from landscape.frame import SEED
 from landscape.offscreen import SIZE, Offscreen
-from landscape.scene.scene import SEED, find_view
+from landscape.scene.scene import find_view
 
 T = TypeVar("T")
 

@@ -2,24 +2,24 @@
 
 import argparse
 import os
+from collections.abc import Collection, Sequence
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
-from framelens.base.errors import InputError
+from framelens.base.errors import InputError, Message
 from framelens.base.texts import choose, said, translator
 from framelens.commands import option_values
 from framelens.commands.common import edits_option
 from framelens.commands.parser import language_option
 from framelens.commands.reporting import notify
-from landscape.commands.changes import given_changes
 from landscape.commands.common import KT, WORLD, drawing_options, kt_option, pose_option
-from landscape.files.assets import Assets
-from landscape.scene.scene import find_view, scene
 from landscape.walk.pace import FPS
+from landscape.walk.thumbnails import thumbnail
 
 if TYPE_CHECKING:
     from framelens.gl.contexts.glfw import GLFWContext
     from landscape.walk.landmarks import Found
+    from landscape.walk.preferences import Preferences
 
 EXAMPLE = "fig35a --fullscreen"
 BEGIN = (
@@ -36,6 +36,8 @@ REPLAY = "replay a recorded walk; `tour` is the one that comes with the program"
 FRESH = "without your preferences, which F2 in the walk changes and keeps"
 MUTE = "begin without sound, as sound.muted=on; U switches it"
 OF_WINDOW = ("fullscreen", "lang", "fresh", "mute")  # options with which the title is met, too
+HARMLESS = (*OF_WINDOW, "view", "size", "frames", "fps", "quiet")
+"""Options that cannot be found wrong once the parser has taken them, but for the view."""
 # The options that are arguments of the walk.
 PASSED_ON = (
     "size",
@@ -115,25 +117,37 @@ def run(options: argparse.Namespace) -> int:
 
 def meets_title(options: argparse.Namespace) -> bool:
     """Return whether a walk begins with the title: no view is named, and nothing else asked for."""
+    return _asks_only_for(OF_WINDOW, options)
+
+
+def opens_at_once(options: argparse.Namespace) -> bool:
+    """Return whether the window can open before the scene is known: nothing can be wrong."""
+    known = thumbnail(options.view) is not None
+    return known and _asks_only_for(HARMLESS, options)
+
+
+def _asks_only_for(names: Collection[str], options: argparse.Namespace) -> bool:
+    """Return whether all options but those in ``names`` are as they are without any."""
     parser = argparse.ArgumentParser()
     add_arguments(parser)
     usual = vars(parser.parse_args([]))
-    return all(getattr(options, name) == usual[name] for name in usual if name not in OF_WINDOW)
+    return all(getattr(options, name) == usual[name] for name in usual if name not in names)
 
 
 def greet(options: argparse.Namespace) -> int:
     """Let the user choose in the title where to walk, until he leaves; return the exit status."""
-    from framelens.gl.contexts.glfw import GLFWContext
     from landscape.walk import last, preferences
-    from landscape.walk.landmarks import Found
-    from landscape.walk.title import SIZE, TO_TITLE, Title
+    from landscape.walk.opening import open_window
 
     keeps = not options.fresh
     wishes, wrong = preferences.read() if keeps else (preferences.Preferences(), [])
-    kept, damaged = Found.read() if keeps else (Found(), [])
     fullscreen = options.fullscreen or wishes.fullscreen
-    context = GLFWContext(SIZE, "landscape", True, fullscreen, "auto", True)
+    context = open_window(last.picture() or thumbnail("island"), None, fullscreen)
     try:
+        from landscape.walk.landmarks import Found
+        from landscape.walk.title import TO_TITLE, Title
+
+        kept, damaged = Found.read() if keeps else (Found(), [])
         language = options.lang or wishes.language or choose(os.environ)
         title = Title(context, language, preferences=wishes, found=kept, tells=told, keeps=keeps)
         lines = [said(message, title.language) for message in (*wrong, *damaged)]
@@ -177,6 +191,32 @@ def walked(
     ``context`` is the title's window, if the walk began there, and ``kept`` what has been found.
     """
     from landscape.walk import preferences
+    from landscape.walk.opening import open_window
+
+    wishes, wrong = preferences.read() if not options.fresh else (preferences.Preferences(), [])
+    _say(options, wishes, wrong)
+    window = context
+    if context is None and opens_at_once(options):
+        fullscreen = options.fullscreen or wishes.fullscreen
+        window = open_window(thumbnail(options.view), options.size, fullscreen)
+    try:
+        return _walked(options, wishes, window, context is not None, kept)
+    finally:
+        if context is None and window is not None:
+            window.release()
+
+
+def _walked(
+    options: argparse.Namespace,
+    wishes: "Preferences",
+    window: "GLFWContext | None",
+    titled: bool,
+    kept: "Found | None",
+) -> int:
+    """Walk as :func:`walked` says, in ``window`` if it is open; ``titled``: it is the title's."""
+    from landscape.commands.changes import given_changes
+    from landscape.files.assets import Assets
+    from landscape.scene.scene import find_view, scene
     from landscape.walk.landmarks import Found
     from landscape.walk.recording import MAX_NUMBER
     from landscape.walk.session import walk
@@ -192,12 +232,9 @@ def walked(
     if options.kt is not None:
         begin = replace(begin, kt=options.kt)
 
-    wishes, wrong = preferences.read() if not options.fresh else (preferences.Preferences(), [])
     if kept is None:
         kept, damaged = Found.read() if not options.fresh else (Found(), [])
-        wrong = [*wrong, *damaged]
-    language = options.lang or wishes.language or choose(os.environ)
-    notify(options, [said(message, language) for message in wrong])
+        _say(options, wishes, damaged)
     given = given_changes(options, kind)
     if options.mute:
         given = {**given, "sound.muted": True}
@@ -216,8 +253,17 @@ def walked(
         language=options.lang or wishes.language,
         given=changes,
         preferences=wishes if not options.fresh else None,
-        context=context,
+        context=window,
+        titled=titled,
         found=kept,
         tells=told,
         **{name: getattr(options, name) for name in PASSED_ON},
     )
+
+
+def _say(
+    options: argparse.Namespace, wishes: "Preferences", messages: Sequence[Message | InputError]
+) -> None:
+    """Print what is to be said about the user's files, in the user's language."""
+    language = options.lang or wishes.language or choose(os.environ)
+    notify(options, [said(message, language) for message in messages])

@@ -11,8 +11,9 @@ import numpy as np
 
 from landscape.files.assets import Assets
 from landscape.film.rig import ONE, drawn_size, picture
+from landscape.frame import SEED
 from landscape.offscreen import Offscreen
-from landscape.scene.scene import SCENES, SEED, Moment, OpenScene, SceneSettings, scene
+from landscape.scene.scene import SCENES, Moment, OpenScene, SceneSettings, scene
 
 KEPT = 2  # how many scenes are open at once: those of a cross-fade
 

@@ -1,5 +1,9 @@
 """Drawing a mesh from its arrays, and the two quads that several elements send."""
 
+from contextlib import AbstractContextManager
+
+import numpy as np
+
 from framelens.gl.seam import gl
 from framelens.gl.state import client_arrays
 from landscape.geometry.mesh import Mesh
@@ -7,8 +11,18 @@ from landscape.geometry.mesh import Mesh
 
 def draw_mesh(mesh: Mesh) -> None:
     """Send a mesh with one glDrawElements."""
-    with client_arrays(mesh.vertices, mesh.normals, mesh.colors, mesh.coordinates):
-        gl.glDrawElements(gl.GL_TRIANGLES, mesh.triangles.size, gl.GL_UNSIGNED_INT, mesh.triangles)
+    with arrays_of(mesh):
+        draw_triangles(mesh.triangles)
+
+
+def arrays_of(mesh: Mesh) -> AbstractContextManager[None]:
+    """Return a block in which the vertex arrays are those of a mesh."""
+    return client_arrays(mesh.vertices, mesh.normals, mesh.colors, mesh.coordinates)
+
+
+def draw_triangles(triangles: np.ndarray) -> None:
+    """Send triangles, uint32 (n, 3): numbers in the vertex arrays."""
+    gl.glDrawElements(gl.GL_TRIANGLES, triangles.size, gl.GL_UNSIGNED_INT, triangles)
 
 
 def level_square(low: float, high: float, y: float) -> None:

@@ -41,7 +41,7 @@ from landscape.elements.water_surface import WaterSurface
 from landscape.files.assets import Assets
 from landscape.files.cache import recall
 from landscape.files.images import read_heights
-from landscape.frame import Frame
+from landscape.frame import SEED, Frame
 from landscape.geometry.doors import Door
 from landscape.geometry.height_field import HeightField, height_field
 from landscape.geometry.obstacle_grid import Obstacles
@@ -50,7 +50,7 @@ from landscape.island.fixes import FIXES
 from landscape.island.slots import CASTING, OTHERS, PLANTED, SLOTS
 from landscape.island.sounds import island_sounds
 from landscape.island.views import ALL, MAIN, VIEWS
-from landscape.scene.scene import SEED, Moment, SceneOf, begin_frame
+from landscape.scene.scene import Moment, SceneOf, begin_frame
 
 Sort = Callable[[], tuple[np.ndarray, ...] | None]  # what sorts the sprites, once a frame
 ELEMENTS = ALL

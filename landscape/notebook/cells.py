@@ -16,9 +16,10 @@ from framelens.base.texts import choose
 from framelens.report.look import Look, look
 from landscape.commands.target import ViewFrame
 from landscape.course.ladder import lesson as find_lesson
+from landscape.frame import SEED
 from landscape.notebook.checking import check
 from landscape.offscreen import Offscreen
-from landscape.scene.scene import SEED, Scene, View, check_options, find_view
+from landscape.scene.scene import Scene, View, check_options, find_view
 from landscape.settings import declare
 from landscape.walk.recording import Plan
 

@@ -34,7 +34,6 @@ from landscape.settings import notices as conditions
 from landscape.settings.declare import Toggle, Value
 from landscape.sound.soundscape import STONY, Soundscape
 
-SEED = 2006  # chosen: the year of the report
 CLOSE = 4  # chosen: how many names like a wrong one an error lists
 
 # Name to module. A module is imported when one of its views is first asked for; the first scene is

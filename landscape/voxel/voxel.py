@@ -17,10 +17,10 @@ from landscape.elements.element import Elements, OfElements, Slot
 from landscape.elements.settings import Fog
 from landscape.elements.sword import Sword
 from landscape.files.assets import Assets
-from landscape.frame import LARGEST, Frame, Pose
+from landscape.frame import LARGEST, SEED, Frame, Pose
 from landscape.geometry.height_field import mirrored_height
 from landscape.geometry.obstacles import Obstacle
-from landscape.scene.scene import SEED, Moment, SceneOf, begin_frame
+from landscape.scene.scene import Moment, SceneOf, begin_frame
 from landscape.settings.declare import Toggle
 from landscape.voxel import build
 from landscape.voxel.edges_view import draw_edges

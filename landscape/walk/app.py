@@ -43,6 +43,7 @@ from landscape.walk.landmarks_list import LandmarksList, Teller, nothing_told
 from landscape.walk.last import LastWalk, first_picture
 from landscape.walk.last import keep as keep_last
 from landscape.walk.list_image import line_at, list_image, text_image
+from landscape.walk.opening import covering
 from landscape.walk.pad import Pad, PadState, steered
 from landscape.walk.place import Place, Places, at_doors, list_picture
 from landscape.walk.preferences import Preferences, kept
@@ -54,7 +55,6 @@ from landscape.walk.sizes import Resizer, check_viewport
 from landscape.walk.speaker import Speaker
 from landscape.walk.start_command import start_command
 from landscape.walk.steady import Steady
-from landscape.walk.title_image import covering
 from landscape.walk.waiting import Waiting, with_alpha
 from landscape.walk.walker import Intent, aimed, start
 

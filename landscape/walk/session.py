@@ -12,7 +12,8 @@ from framelens.gl.contexts.glfw import HEADLESS, GLFWContext
 from framelens.gl.glfw_library import glfw
 from framelens.tape.edit_files import read as read_edits
 from landscape.files.assets import Assets, recording
-from landscape.scene.scene import SEED, Scene, SceneSettings, View, scene
+from landscape.frame import SEED
+from landscape.scene.scene import Scene, SceneSettings, View, scene
 from landscape.settings import declare
 from landscape.walk import words
 from landscape.walk.app import Walk
@@ -20,11 +21,12 @@ from landscape.walk.builder import WorldFile
 from landscape.walk.landmarks import Found
 from landscape.walk.landmarks_list import Teller, nothing_told
 from landscape.walk.loop import run
+from landscape.walk.opening import SIZE
 from landscape.walk.pace import FPS
 from landscape.walk.preferences import Preferences
 from landscape.walk.recording import Plan, Writer, read
 from landscape.walk.speaker import Speaker, is_installed
-from landscape.walk.title import SIZE, TO_TITLE
+from landscape.walk.title import TO_TITLE
 from landscape.walk.waiting import Left
 
 
@@ -51,6 +53,7 @@ def walk(
     path: str | None = None,
     preferences: Preferences | None = None,
     context: GLFWContext | None = None,
+    titled: bool = False,
     found: Found | None = None,
     tells: Teller = nothing_told,
 ) -> int:
@@ -69,8 +72,9 @@ def walk(
     doors. ``preferences`` are the user's keys, mouse and comfort, None without them; a replay takes
     the keys alone. ``found`` are the landmarks that have been found, ``tells`` has the texts of
     their lessons. A walk that is recorded begins with none found, so that a recording is the same
-    for everybody. The title passes on its window as ``context``: it stays open, and TO_TITLE is
-    returned if the user wants back. Raises InputError and NoOpenGLError.
+    for everybody. ``context`` is the window if it is open already. With ``titled`` it is the
+    title's: it stays open, and TO_TITLE is returned if the user wants back. Raises InputError and
+    NoOpenGLError.
     """
     if backend == "cgl":
         raise InputError("--backend cgl: it opens no window; expected auto, glfw or software")
@@ -140,7 +144,7 @@ def walk(
             world=kept_world,
             preferences=preferences,
             speaker=Speaker if listens and is_installed() else None,
-            titled=context is not None,
+            titled=titled,
             keeps=live,
             found=(Found() if record is not None or found is None else found) if live else None,
             tells=tells,
@@ -159,7 +163,7 @@ def walk(
             for line in opened.inspection.missed():
                 print(f"landscape: {line}", file=sys.stderr)
     except Left:
-        closed = context is None or glfw.window_should_close(context.window)
+        closed = not titled or context is None or glfw.window_should_close(context.window)
         return 0 if closed else TO_TITLE
     finally:
         # After Ctrl-C or an error, the recording up to then shows what led to it.

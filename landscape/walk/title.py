@@ -35,7 +35,6 @@ from landscape.walk.start_command import start_command
 from landscape.walk.thumbnails import FLIGHT, thumbnail
 from landscape.walk.title_image import Drawn, Row, title_image
 
-SIZE = (1280, 720)  # chosen: a walk's window, in the window system's coordinates
 TO_TITLE = -1  # what a walk returns from which one goes back to the title
 REST = 0.02  # chosen: seconds between two looks at the keys
 FILLED = "flyover.mode=filled"

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont, UnidentifiedImageError
+from PIL import Image, ImageDraw, ImageFont
 
 from framelens.base.fonts import font, writable
 from framelens.inspector.panel import KEYS, SMALLEST, TITLE, WORDS, text_size, wrapped
+from landscape.walk.opening import covering
 
-EMPTY = (41, 56, 71)  # chosen: RGB of a window without a picture
 PLATE = (12, 20, 28, 170)  # chosen: RGBA behind the words
 CHOSEN = (88, 84, 58, 225)  # chosen: RGBA behind the chosen row
 SPACING = 1.6  # chosen: line height, in font sizes
@@ -45,25 +45,6 @@ class Drawn:
         """Return the number of the entry at a place in pixels from the top left, if any."""
         found = (k for k, (top, end) in self.places.items() if top <= y < end and x < self.width)
         return next(found, None)
-
-
-def covering(path: Path | None, size: tuple[int, int]) -> Image.Image:
-    """Return a picture that fills a window of ``size`` pixels, RGBA; plain without a file."""
-    plain = Image.new("RGBA", size, (*EMPTY, 255))
-    if path is None:
-        return plain
-    try:
-        with Image.open(path) as found:
-            picture = found.convert("RGBA")
-    except (OSError, UnidentifiedImageError, Image.DecompressionBombError):
-        return plain
-    width, height = size
-    times = max(width / picture.width, height / picture.height)
-    # A division may round up: no part is larger than the picture.
-    part = min(width / times, picture.width), min(height / times, picture.height)
-    left, top = (picture.width - part[0]) / 2, (picture.height - part[1]) / 2
-    box = (left, top, min(left + part[0], picture.width), min(top + part[1], picture.height))
-    return picture.resize(size, Image.Resampling.BILINEAR, box)
 
 
 def title_image(

@@ -14,7 +14,8 @@ from landscape.course.lecture.image import message_image
 from landscape.course.lecture.program import strip
 from landscape.course.lecture.stage import Stage
 from landscape.files.assets import Assets
-from landscape.scene.scene import SEED, Moment, find_view
+from landscape.frame import SEED
+from landscape.scene.scene import Moment, find_view
 from landscape.walk.app import Walk
 from landscape.walk.pace import FPS
 from landscape.walk.recording import Plan

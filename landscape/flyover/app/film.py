@@ -13,7 +13,7 @@ from landscape.film.stage import Drawing
 from landscape.flyover.app import SIZE
 from landscape.flyover.environment import Environment
 from landscape.flyover.settings import Settings
-from landscape.scene.scene import SEED
+from landscape.frame import SEED
 
 
 def run(environment: Environment, values: Settings, options: argparse.Namespace) -> int:

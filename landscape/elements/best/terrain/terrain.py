@@ -62,7 +62,7 @@ from landscape.geometry.height_field import HeightField, ground_mesh, laid_over,
 from landscape.geometry.low_stretch import low_stretch_uv
 from landscape.geometry.mesh import Mesh
 from landscape.gl.display_list import DisplayList, call_lists
-from landscape.gl.draw import draw_mesh
+from landscape.gl.draw import arrays_of, draw_triangles
 from landscape.gl.features import possible
 
 # A triangle's label: the materials that it has, and whether the net of light lies on it.
@@ -236,7 +236,10 @@ class Terrain(Ground):
         return replace(ground, clip=True, stones=0), settings.water.level, coarser, shaded, bed
 
     def _compile(self, mesh: Mesh, textures: list[Texture], count: int) -> None:
-        """Compile one list of everything, or one per tile and two to set and reset the units."""
+        """Compile one list of everything, or one per tile and two to set and reset the units.
+
+        A list keeps the vertices that it draws, so that the tiles can share the mesh's arrays.
+        """
         before, after = self._units(textures)
         labels = self._labels(mesh)
         if count <= 1:
@@ -244,10 +247,11 @@ class Terrain(Ground):
 
             def send() -> None:
                 before()
-                for label, part in whole.parts(labels).items():
-                    if self._mixed:
-                        look_up(label)
-                    draw_mesh(part)
+                with arrays_of(mesh):
+                    for label, triangles in whole.parts(labels).items():
+                        if self._mixed:
+                            look_up(label)
+                        draw_triangles(triangles)
                 after()
 
             self._lists.append(DisplayList(send))
@@ -268,13 +272,17 @@ class Terrain(Ground):
         self._boxes, self._mirrored_boxes = boxes(tiles), boxes(tiles, level)
         parts = [tile.parts(labels) for tile in tiles]
         # What costs most at each pixel comes last: some of it is hidden by then.
-        for label in sorted(set().union(*parts), key=int.bit_count):
-            own = {k: each[label] for k, each in enumerate(parts) if label in each}
-            lists = compiled(*(partial(draw_mesh, mesh) for mesh in own.values()))
-            self._tiles[label] = dict(zip(own, lists, strict=True))
+        with arrays_of(mesh):
+            for label in sorted(set().union(*parts), key=int.bit_count):
+                own = {k: each[label] for k, each in enumerate(parts) if label in each}
+                lists = compiled(*(partial(draw_triangles, each) for each in own.values()))
+                self._tiles[label] = dict(zip(own, lists, strict=True))
         if self.settings.reflection.lod_scale > 1:
-            tiles = cut(every_second(mesh), count)
-            self._mirrored = compiled(*(partial(draw_mesh, tile.mesh) for tile in tiles))
+            coarse = every_second(mesh)
+            tiles = cut(coarse, count)
+            with arrays_of(coarse):
+                sends = [partial(draw_triangles, tile.triangles) for tile in tiles]
+                self._mirrored = compiled(*sends)
             self._mirrored_boxes = boxes(tiles, level)
 
     def _labels(self, mesh: Mesh) -> np.ndarray:

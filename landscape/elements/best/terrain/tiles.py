@@ -1,6 +1,6 @@
 """The ground's mesh cut into square tiles, each with its bounding box. No OpenGL here."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,25 +12,23 @@ from landscape.geometry.mesh import Mesh, grid_triangles
 class Tile:
     """A square part of the ground's mesh, and the low and high corner (3,) of its bounding box.
 
-    ``numbers`` (m,) are those of its triangles in the whole mesh.
+    ``triangles`` (m, 3) are indices of the whole mesh's vertices, ``numbers`` (m,) those of the
+    triangles in it.
     """
 
-    mesh: Mesh
+    triangles: np.ndarray
     low: np.ndarray
     high: np.ndarray
     numbers: np.ndarray
 
-    def parts(self, labels: np.ndarray) -> dict[int, Mesh]:
-        """Return the tile in parts, by the labels (n,) of the whole mesh's triangles."""
+    def parts(self, labels: np.ndarray) -> dict[int, np.ndarray]:
+        """Return the tile's triangles in parts, by the labels (n,) of the whole mesh's."""
         own = labels[self.numbers]
-        return {
-            label: replace(self.mesh, triangles=self.mesh.triangles[own == label])
-            for label in np.unique(own).tolist()
-        }
+        return {label: self.triangles[own == label] for label in np.unique(own).tolist()}
 
 
 def cut(mesh: Mesh, tiles: int) -> list[Tile]:
-    """Cut a grid's mesh into ``tiles`` x ``tiles`` meshes; each triangle goes to one of them."""
+    """Cut a grid's mesh into ``tiles`` x ``tiles`` parts; each triangle goes to one of them."""
     side = round(len(mesh.vertices) ** 0.5) - 1
     cell = np.arange(side) * tiles // side
     number = np.repeat(np.add.outer(cell * tiles, cell).ravel(), 2)  # two triangles per cell
@@ -39,16 +37,9 @@ def cut(mesh: Mesh, tiles: int) -> list[Tile]:
         numbers = np.flatnonzero(number == k)
         if not len(numbers):
             continue
-        used, own = np.unique(mesh.triangles[numbers], return_inverse=True)
-        vertices = mesh.vertices[used]
-        part = Mesh(
-            vertices,
-            mesh.normals[used],
-            np.ascontiguousarray(own.reshape(-1, 3), np.uint32),
-            tuple(np.ascontiguousarray(c[used]) for c in mesh.coordinates),
-            None if mesh.colors is None else np.ascontiguousarray(mesh.colors[used]),
-        )
-        parts.append(Tile(part, vertices.min(axis=0), vertices.max(axis=0), numbers))
+        triangles = mesh.triangles[numbers]
+        vertices = mesh.vertices[triangles].reshape(-1, 3)
+        parts.append(Tile(triangles, vertices.min(axis=0), vertices.max(axis=0), numbers))
 
     return parts
 
