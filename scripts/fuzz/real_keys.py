@@ -413,7 +413,7 @@ def played(
 
 
 def halves(memory: list[tuple[float, float]]) -> tuple[float, float] | None:
-    """Return the most megabytes in the first half of a walk, and those at its end.
+    """Return the most megabytes in the first half of a walk, and the least at its end.
 
     ``memory`` has the part of the time that had passed, 0..1, and megabytes. They are medians of
     twentieths of the time: what a frame takes for a moment is no growth. None if too little of the
@@ -427,7 +427,7 @@ def halves(memory: list[tuple[float, float]]) -> tuple[float, float] | None:
     usual = {number: statistics.median(each) for number, each in parts.items()}
     early = [mb for number, mb in usual.items() if number < PARTS / 2]
     late = [mb for number, mb in usual.items() if number >= 0.85 * PARTS]
-    return (max(early), max(late)) if early and late and first < 0.6 else None
+    return (max(early), min(late)) if early and late and first < 0.6 else None
 
 
 def replayed(
