@@ -14,14 +14,18 @@ from framelens.inspector.panel import KEYS
 from landscape.cli import parse
 from landscape.commands.walk import meets_title
 from landscape.files import cache
+from landscape.files.assets import Assets
 from landscape.frame import Pose
 from landscape.scene.scene import SCENES, find_view, scene
 from landscape.walk import last
+from landscape.walk.app import Walk
 from landscape.walk.last import LastWalk
 from landscape.walk.opening import covering
+from landscape.walk.recording import Plan, Tick
 from landscape.walk.thumbnails import FLIGHT, SIZE, thumbnail
 from landscape.walk.title import main_entries, view_entries
 from landscape.walk.title_image import Row, title_image
+from landscape.walk.walker import Intent
 
 pytestmark = pytest.mark.window
 
@@ -394,6 +398,21 @@ def test_captions_and_lists_are_not_in_the_picture_of_the_last_walk(tmp_path: Pa
     heard, same = json.loads(done.out)
     assert heard == [[False, False, False], [True, True, False], [False, False, True]]
     assert same
+
+
+@pytest.mark.parametrize("order", ["preferences", "landmarks"])
+def test_after_a_list_a_message_is_shown_as_a_replay_shows_it_which_opens_none(order: str) -> None:
+    kind = scene("hall")
+    plan = Plan("hall", kind.settings, "hall", Pose(1.6, None, 2.6), (320, 240), only=("floor",))
+    pictures = []
+    with Walk(plan, Assets(), "osmesa") as walk:
+        walk.advance(Tick(0.05, Intent(), (), plan.size, note="a message"))
+        for opens in (False, True, True):
+            if opens:
+                walk.obey(order)
+            walk.draw()
+            pictures.append(walk.pixels())
+    assert (pictures[0] != pictures[1]).any() and (pictures[0] == pictures[2]).all()
 
 
 IMPORTED = """

@@ -477,7 +477,6 @@ class Walk:
         opened.toggle()
         self.hands.choosing = order if opened.open else ""
         self.hands.choices, self.hands.pointed = [], []
-        self._until = 0.0  # a long message would lie over the list
         if order == "preferences" and not opened.open:
             self._keep()
 
@@ -718,6 +717,8 @@ class Walk:
         larger = self.wishes.preferences.text_size
         self._panel.dpi = enlarged(self._size, self._dpi, larger)
         left = max(self._until - self.seconds - self._stood, 0.0)
+        if self.hands.choosing:
+            left = 0.0  # a long message would lie over the list
         message, opacity = self._message if left else "", min(left / FADE, 1.0)
         cross, bar = self.inspection.cross(), self._builder.bar(scene, self._size)
         at_left = self._at_left()

@@ -16,7 +16,8 @@ process
 - or, for a walk, if a frame is replayed with another pose or another pixel. Every OFTEN-th frame is
   drawn once more in all detail, as a replay draws it, and its checksum compared. The inspector
   changes calls, which a recording does not contain: it is opened only in the last sixth, and from
-  then on nothing is compared. What a list of the user's own hides (F2, B) is not compared either.
+  then on nothing is compared. Neither is what depends on the user's own preferences: what a list
+  hides (F2, B), the keys in the help, and texts while their language or size is another.
 """
 
 import argparse
@@ -83,11 +84,14 @@ def watched(outcome: Path, words: list[str]) -> int:
         told["scene"], told["size"] = walk.place.kind.name, walk._size
         if number % OFTEN == 0 and not walk.inspection.open:
             walk.draw(whole=True)
-            if not listed:
+            own = walk.wishes.preferences
+            shows_own = walk._help or own.language or own.text_size != 1.0
+            if not (listed or shows_own):
                 told["seen"] = hashlib.sha256(read_pixels(walk._size)).hexdigest()
             walker, place = walk.walker, walk.place.kind.name
             told["pose"] = [place, walker.x, walker.y, walker.z, walker.yaw, walker.pitch, walk.kt]
-            told["said"] = walk._message
+            if not own.language:
+                told["said"] = walk._message
             if shots := os.environ.get("REAL_KEYS_PICTURES"):
                 from PIL import Image
 
