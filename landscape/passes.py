@@ -13,6 +13,7 @@ import numpy as np
 from framelens.base.output import png
 from framelens.tape.strip import Survey, groups, shots
 from framelens.tape.strip import survey as surveyed
+from framelens.tape.tape import Tape
 from landscape.files.png_strips import PngStrips
 from landscape.offscreen import Offscreen, Place
 
@@ -30,26 +31,7 @@ def passes(
     """
     with Offscreen(**{**arguments, "samples": 0}) as offscreen:
         with offscreen.taped(view, kt, wireframe) as tape:
-            parts = groups(tape, "element")
-            buffers = ("color", "depth")
-            found: Survey = surveyed(tape, parts, ("color",))
-            before: np.ndarray | None = None
-            depth = np.ones(offscreen.size[::-1], np.float32)
-            owner = np.full(offscreen.size[::-1], -1)
-            names: list[str] = []
-            for shot in shots(tape, parts, buffers, found):
-                colours = shot.buffers["color"]
-                if shot.group.aside or colours is None:
-                    continue
-                if before is not None:
-                    name = next(iter(shot.group.elements), ALSO)
-                    if name not in names:
-                        names.append(name)
-                    owner[(colours != before).any(axis=2)] = names.index(name)
-                before = colours.copy()
-                levels = shot.buffers["depth"]
-                depth = depth if levels is None else levels.copy()
-
+            depth, owner, names = _layers(tape, offscreen.size)
         assert offscreen.scene is not None
         camera = offscreen.scene.settings.camera
         near, far = camera.near, max(camera.far, 2 * camera.near)
@@ -61,6 +43,33 @@ def passes(
         if name != ALSO and (owner == k).any()
     }
     return level, masks
+
+
+def _layers(tape: Tape, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, list[str]]:
+    """Draw a frame element by element; return its depth buffer, float32 (h, w), and its elements.
+
+    Of these, the second array has for each pixel the number of the last that changed it, or -1,
+    and the list has their names.
+    """
+    parts = groups(tape, "element")
+    found: Survey = surveyed(tape, parts, ("color",))
+    before: np.ndarray | None = None
+    depth = np.ones(size[::-1], np.float32)
+    owner = np.full(size[::-1], -1)
+    names: list[str] = []
+    for shot in shots(tape, parts, ("color", "depth"), found):
+        colours = shot.buffers["color"]
+        if shot.group.aside or colours is None:
+            continue
+        if before is not None:
+            name = next(iter(shot.group.elements), ALSO)
+            if name not in names:
+                names.append(name)
+            owner[(colours != before).any(axis=2)] = names.index(name)
+        before = colours.copy()
+        levels = shot.buffers["depth"]
+        depth = depth if levels is None else levels.copy()
+    return depth, owner, names
 
 
 def files(picture: Path, depth: np.ndarray, masks: Mapping[str, np.ndarray]) -> dict[Path, bytes]:

@@ -8,7 +8,7 @@ over a picture, as the map, is left out.
 
 import pickle
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing
 from dataclasses import replace
@@ -47,13 +47,9 @@ def draw(
     ``done`` is called after each tile. The workers are ``jobs`` processes of this machine, or those
     of an ``executor``. InputError where the view or the file is none.
     """
-    kind, named = found(view, scene(arguments.get("place", "")))
-    shown = [name for name in kind.shown(named, arguments.get("only")) if name not in kind.overlay]
-
-    given = {**arguments, "size": tile, "only": shown}
+    given = _of_tiles(view, arguments, tile)
     packed = zlib.compress(pickle.dumps((view, size, given, kt, wireframe, dict(SCENES))))
-    rows = [(y, min(tile[1], size[1] - y)) for y in range(0, size[1], tile[1])]
-    columns = [(x, min(tile[0], size[0] - x)) for x in range(0, size[0], tile[0])]
+    rows, columns = _pieces(size[1], tile[1]), _pieces(size[0], tile[0])
     corners = [(x, y) for y, _ in rows for x, _ in columns]
 
     output = Output(out, f"--out {out}")
@@ -64,16 +60,41 @@ def draw(
         ):
             png = PngStrips(output.write, size)
             for _, height in rows:
-                strip = np.empty((height, size[0], 3), np.uint8)
-                for x, width in columns:
-                    strip[:, x : x + width] = next(tiles)[:height, :width]
-                    done("tiles")
-                png.add(strip)
+                png.add(_strip(tiles, (size[0], height), columns, done))
             png.finish()
         output.finish()
     finally:
         output.discard()
         _open.close()  # where the executor is one in this process
+
+
+def _of_tiles(
+    view: Place, arguments: Mapping[str, Any], tile: tuple[int, int]
+) -> dict[str, object]:
+    """Return an Offscreen's arguments for tiles, without what lies over a picture."""
+    kind, named = found(view, scene(arguments.get("place", "")))
+    shown = [name for name in kind.shown(named, arguments.get("only")) if name not in kind.overlay]
+    return {**arguments, "size": tile, "only": shown}
+
+
+def _pieces(side: int, piece: int) -> list[tuple[int, int]]:
+    """Return where the pieces of a side begin, and how long each is."""
+    return [(begin, min(piece, side - begin)) for begin in range(0, side, piece)]
+
+
+def _strip(
+    tiles: Iterator[np.ndarray],
+    size: tuple[int, int],
+    columns: Sequence[tuple[int, int]],
+    done: Callable[[str], None],
+) -> np.ndarray:
+    """Return the next tiles side by side, uint8 (h, w, 3); the last may reach beyond the size."""
+    width, height = size
+    strip = np.empty((height, width, 3), np.uint8)
+    for x, wide in columns:
+        strip[:, x : x + wide] = next(tiles)[:height, :wide]
+        done("tiles")
+    return strip
 
 
 def draw_tile(packed: bytes, corner: tuple[int, int]) -> np.ndarray:

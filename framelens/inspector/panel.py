@@ -7,7 +7,8 @@ the window's size.
 State used: both matrices, GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 """
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
+from contextlib import contextmanager
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
@@ -16,6 +17,9 @@ from framelens.base.fonts import font, writable
 from framelens.gl.seam import begin_pass, drawing, gl
 from framelens.gl.state import attrib, flat_projection
 from framelens.gl.texture import Texture
+
+Made = tuple[Hashable, Callable[[], np.ndarray]]
+"""A picture: what it depends on, and how to make it."""
 
 SMALLEST = 8  # chosen: font size in pixels; smaller text is unreadable
 READABLE = 14  # chosen: font size in pixels, times the scale of a display of high resolution
@@ -179,6 +183,19 @@ class Plate:
         self._texture.release()
 
 
+@contextmanager
+def _blended(size: tuple[int, int]) -> Iterator[None]:
+    """Blend textures over a window of ``size`` pixels, a unit each, within the block."""
+    groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
+    with attrib(groups), flat_projection(0, size[0], 0, size[1], -1, 1):
+        for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING):
+            gl.glDisable(off)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        gl.glEnable(gl.GL_BLEND)
+        gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+        yield
+
+
 class Panel:
     """The list of keys in the middle of the window, the message at its lower edge, and a picture
     at its left edge.
@@ -204,12 +221,12 @@ class Panel:
         keys: bool = False,
         message: str = "",
         opacity: float = 1.0,
-        left: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
+        left: Made | None = None,
         cross: tuple[int, int, Callable[[], np.ndarray]] | None = None,
-        bar: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
+        bar: Made | None = None,
         opaque: bool = False,
         covered: int = 0,
-        right: tuple[Hashable, Callable[[], np.ndarray]] | None = None,
+        right: Made | None = None,
     ) -> None:
         """Draw the keys and the message in a window of ``size`` pixels; ``opacity`` is 0 to 1.
 
@@ -223,51 +240,68 @@ class Panel:
         if not keys and not message and left is None and bar is None and right is None:
             return
         begin_pass("overlay")
-        groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT
-        with attrib(groups), flat_projection(0, size[0], 0, size[1], -1, 1):
-            for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING):
-                gl.glDisable(off)
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            gl.glEnable(gl.GL_BLEND)
-            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+        with _blended(size):
             if cross is not None:
-                plate = self._plate("cross", size, cross[2])
-                low = size[1] - 1 - cross[1] - plate.height // 2
-                plate.draw(cross[0] - plate.width // 2, low, 1.0)
-
-            beside = below_message = 0
-            if bar is not None and not keys:
-                plate = self._plate("bar", *bar)
-                plate.draw((size[0] - plate.width) // 2, size[1] // (3 * MARGIN), 1.0)
-                below_message = plate.height
-
-            if left is not None:
-                make = left[1]
-                plate = self._plate(
-                    "left", (left[0], size, opaque), lambda: solid(make()) if opaque else make()
-                )
-                plate.draw(size[1] // 48, (size[1] - plate.height) // 2, 1.0)
-                beside = size[1] // 48 + plate.width
-
+                self._draw_cross(size, *cross)
+            below_message = self._draw_bar(size, bar) if bar is not None and not keys else 0
+            beside = self._draw_left(size, left, opaque) if left is not None else 0
             if right is not None and not keys:
-                plate = self._plate("right", *right)
-                plate.draw(size[0] - plate.width - size[1] // 48, size[1] // 5, 1.0)
-
+                self._draw_right(size, right)
             if keys:
-                below = below_keys(size, self.dpi)
-                shown = self._title, self._rows, (size[0], size[1] - below), self.dpi
-                plate = self._plate("keys", shown, lambda: keys_image(*shown))
-                lower = below + (size[1] - below - plate.height) // 2
-                plate.draw((size[0] - plate.width) // 2, lower, 1.0)
-
+                self._draw_keys(size)
             if message:
-                line = message, size, self.dpi
-                plate = self._plate("line", line, lambda: line_image(*line))
-                # In the middle of what the picture at the left leaves free, if it fits there.
-                middle = (size[0] + beside - plate.width) // 2
-                x = max(min(middle, size[0] - plate.width), 0)
-                lower = size[1] // MARGIN + max(below_message, covered)
-                plate.draw(x, max(min(lower, size[1] - plate.height), 0), opacity)
+                self._draw_message(size, message, opacity, beside, max(below_message, covered))
+
+    def _draw_cross(
+        self, size: tuple[int, int], x: int, y: int, make: Callable[[], np.ndarray]
+    ) -> None:
+        """Draw a picture with its middle at a pixel, counted from the top left."""
+        plate = self._plate("cross", size, make)
+        plate.draw(x - plate.width // 2, size[1] - 1 - y - plate.height // 2, 1.0)
+
+    def _draw_bar(self, size: tuple[int, int], bar: Made) -> int:
+        """Draw a picture in the middle of the lower edge; return its height."""
+        plate = self._plate("bar", *bar)
+        plate.draw((size[0] - plate.width) // 2, size[1] // (3 * MARGIN), 1.0)
+        return plate.height
+
+    def _draw_left(self, size: tuple[int, int], left: Made, opaque: bool) -> int:
+        """Draw a picture at the left edge; return the first column that it leaves free."""
+        key, make = left
+        plate = self._plate(
+            "left", (key, size, opaque), lambda: solid(make()) if opaque else make()
+        )
+        edge = size[1] // 48
+        plate.draw(edge, (size[1] - plate.height) // 2, 1.0)
+        return edge + plate.width
+
+    def _draw_right(self, size: tuple[int, int], right: Made) -> None:
+        """Draw a picture at the right edge, above the lowest fifth of the window."""
+        plate = self._plate("right", *right)
+        plate.draw(size[0] - plate.width - size[1] // 48, size[1] // 5, 1.0)
+
+    def _draw_keys(self, size: tuple[int, int]) -> None:
+        """Draw the table of keys above what is reserved for the message."""
+        below = below_keys(size, self.dpi)
+        shown = self._title, self._rows, (size[0], size[1] - below), self.dpi
+        plate = self._plate("keys", shown, lambda: keys_image(*shown))
+        lower = below + (size[1] - below - plate.height) // 2
+        plate.draw((size[0] - plate.width) // 2, lower, 1.0)
+
+    def _draw_message(
+        self, size: tuple[int, int], message: str, opacity: float, beside: int, above: int
+    ) -> None:
+        """Draw the message, above the lowest ``above`` rows.
+
+        It is in the middle of what the picture at the left leaves free from the column ``beside``
+        on, if it fits there.
+        """
+        line = message, size, self.dpi
+        plate = self._plate("line", line, lambda: line_image(*line))
+        middle = (size[0] + beside - plate.width) // 2
+        x = max(min(middle, size[0] - plate.width), 0)
+        lower = size[1] // MARGIN + above
+        plate.draw(x, max(min(lower, size[1] - plate.height), 0), opacity)
 
     def _plate(self, name: str, shows: Hashable, make: Callable[[], np.ndarray]) -> Plate:
         """Return the plate of a name; it is made again if it is to show something else."""

@@ -18,7 +18,7 @@ of shift, control and alt.
 """
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,6 +30,7 @@ Events = str | Path | Iterable[object] | None
 
 MOST_BYTES = 4 << 20  # chosen
 KINDS = ("key", "button", "move", "scroll", "resize", "close")
+PRESSED = ("key", "button")
 BUTTONS = ("left", "right", "middle")
 MODS = ("shift", "control", "alt")
 LARGEST = 16384  # pixels, the largest size of a window; that of a texture in Mesa
@@ -181,6 +182,37 @@ def _entries(path: Path) -> list[object]:
     return found
 
 
+def _kind(entry: Mapping[object, object], where: str) -> str:
+    """Return the kind of an event; InputError if it has none, or what has no meaning for it."""
+    kinds = [kind for kind in KINDS if kind in entry]
+    if len(kinds) != 1:
+        raise InputError(
+            "{where}: expected exactly one of {names}", where=where, names=", ".join(KINDS)
+        )
+    (kind,) = kinds
+    allowed = {"frame", kind} | ({"action", "mods"} if kind in PRESSED else set())
+    for name in entry:
+        if name not in allowed:
+            raise InputError(
+                "{where}: {name} has no meaning for an event of this kind",
+                where=where,
+                name=short(name),
+            )
+    return kind
+
+
+def _mods(mods: object, where: str) -> set[str]:
+    """Return which of Shift and the like are held."""
+    if not isinstance(mods, list):
+        raise InputError(
+            '{where}: "mods" is {mods}, expected a list of {names}',
+            where=where,
+            mods=short(mods),
+            names=", ".join(MODS),
+        )
+    return {_one_of(mod, MODS, "mods", where) for mod in mods}
+
+
 def _event(entry: object, where: str) -> Event:
     """Check an event; ``where`` names it in the error."""
     if not isinstance(entry, dict):
@@ -190,21 +222,7 @@ def _event(entry: object, where: str) -> Event:
             entry=short(entry),
         )
 
-    kinds = [kind for kind in KINDS if kind in entry]
-    if len(kinds) != 1:
-        raise InputError(
-            "{where}: expected exactly one of {names}", where=where, names=", ".join(KINDS)
-        )
-    kind = kinds[0]
-    pressing = kind in ("key", "button")
-    allowed = {"frame", kind} | ({"action", "mods"} if pressing else set())
-    for name in entry:
-        if name not in allowed:
-            raise InputError(
-                "{where}: {name} has no meaning for an event of this kind",
-                where=where,
-                name=short(name),
-            )
+    kind = _kind(entry, where)
     frame = entry.get("frame")
     if type(frame) is not int or frame < 0:
         raise InputError(
@@ -220,19 +238,11 @@ def _event(entry: object, where: str) -> Event:
             )
         return Event(frame, kind)
 
-    if not pressing:
+    if kind not in PRESSED:
         return Event(frame, kind, value=_pair(given, kind, where))
     actions = ("press", "release", "repeat")[: 3 if kind == "key" else 2]
     action = _one_of(entry.get("action", "press"), actions, "action", where)
-    mods = entry.get("mods", [])
-    if not isinstance(mods, list):
-        raise InputError(
-            '{where}: "mods" is {mods}, expected a list of {names}',
-            where=where,
-            mods=short(mods),
-            names=", ".join(MODS),
-        )
-    held = {_one_of(mod, MODS, "mods", where) for mod in mods}
+    held = _mods(entry.get("mods", []), where)
     if kind == "button":
         return Event(frame, kind, _one_of(given, BUTTONS, kind, where), action, frozenset(held))
     name, shifted = _key(given, where)

@@ -4,6 +4,7 @@ import argparse
 import os
 import shutil
 import textwrap
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -119,25 +120,36 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print(json_text(as_json(report, _) | {"cause": cause}))
     elif report.error is None and not options.quiet:
-        columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
-        columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
-        print(visible("\n".join(as_text(report, _, columns))))
-        if cause is not None:
-            line = cause["source"].rpartition(":")[2]
-            told = _(WHY).format(line=line, text=cause["text"], mend=cause["mend"])
-            print(visible("\n".join(textwrap.wrap(told, columns, break_on_hyphens=False))))
-        if options.contain:
-            print(_(CONTAINED[report.contained]))
-        if options.heat_map is not None:
-            print(_(WRITTEN).format(file=options.heat_map))
-        elif (report.difference or 0) > MOST:
-            asked = quoted(str(file))
-            if options.exercises is not None:
-                asked += f" --exercises {quoted(str(options.exercises))}"
-            print(_(SHOWN).format(file=asked))
+        _print(report, cause, options, _)
     if report.error is not None:
         raise InputError("{file}: {sentence}", file=file, sentence=sentence(report.error, _))
     return 0 if report.passed else 1
+
+
+def _print(
+    report: Report,
+    cause: Mapping[str, Any] | None,
+    options: argparse.Namespace,
+    _: Translator,
+) -> None:
+    """Print a report, why the picture is of one colour, and where the heat map is or how to ask."""
+    columns = shutil.get_terminal_size((WIDTHS[1], 24)).columns
+    columns = min(max(columns, WIDTHS[0]), WIDTHS[1])
+    print(visible("\n".join(as_text(report, _, columns))))
+    if cause is not None:
+        line = cause["source"].rpartition(":")[2]
+        told = _(WHY).format(line=line, text=cause["text"], mend=cause["mend"])
+        print(visible("\n".join(textwrap.wrap(told, columns, break_on_hyphens=False))))
+    if options.contain:
+        print(_(CONTAINED[report.contained]))
+
+    if options.heat_map is not None:
+        print(_(WRITTEN).format(file=options.heat_map))
+    elif (report.difference or 0) > MOST:
+        asked = quoted(str(options.files[0]))
+        if options.exercises is not None:
+            asked += f" --exercises {quoted(str(options.exercises))}"
+        print(_(SHOWN).format(file=asked))
 
 
 def first_cause(report: Report, grader: Grader, language: str) -> dict[str, Any] | None:

@@ -6,6 +6,7 @@ import shutil
 import sys
 from collections.abc import Sequence
 from datetime import datetime
+from pathlib import Path
 
 from framelens.base import packages
 from framelens.base.errors import InputError
@@ -150,26 +151,12 @@ def run(options: argparse.Namespace, language: str) -> int:
     _check_outputs(options)
     worksheet, points = b"", options.points
     if options.worksheet is not None:
-        worksheet = read_bounded(options.worksheet, MOST_WORKSHEET)
-        highest = moodle.highest(worksheet, str(options.worksheet))
-        said = _of_worksheet(options, worksheet, highest, language)
-        if said and not options.quiet:
-            print(f"landscape: {said}", file=sys.stderr)
-        if points is None:
-            points = highest
+        worksheet, highest = _worksheet(options, language)
+        points = highest if points is None else points
 
     found = submissions(options.files)
     exercises = shelf(options.exercises)
-    rules = Rules(
-        language=language,
-        seconds=options.seconds,
-        points=points,
-        version=packages.PACKAGES[-1].version,
-        again=options.again,
-        contain=options.contain or AUTO,
-        exercises=exercises.folder,
-        private=_private(options),
-    )
+    rules = _rules(options, language, points, exercises.folder)
     with Progress(len(found), options.quiet or options.json) as progress:
         with work(options) as (workers, count):
             jobs = count if workers is not None else options.jobs or 0
@@ -178,13 +165,49 @@ def run(options: argparse.Namespace, language: str) -> int:
     translate = translator(language, "course")
     alike = likenesses(graded, exercises) if options.copies else None
     _write(options, graded, worksheet, language, translate, alike)
-    rows = [each.row for each in graded]
+    _print(options, graded, translate, alike)
+    return 0 if all(each.row.passed for each in graded) else 1
+
+
+def _rules(
+    options: argparse.Namespace, language: str, points: float | None, exercises: Path | None
+) -> Rules:
+    """Return by which rules the class is graded."""
+    return Rules(
+        language=language,
+        seconds=options.seconds,
+        points=points,
+        version=packages.PACKAGES[-1].version,
+        again=options.again,
+        contain=options.contain or AUTO,
+        exercises=exercises,
+        private=_private(options),
+    )
+
+
+def _print(
+    options: argparse.Namespace,
+    graded: Sequence[Graded],
+    translate: Translator,
+    alike: Sequence[Likeness] | None,
+) -> None:
+    """Print the class as JSON or as a table, unless nothing is to be printed."""
     if options.json:
+        rows = [each.row for each in graded]
         sys.stdout.write(tables.as_json(rows, _as_json(alike)).decode())
     elif not options.quiet:
         pairs = as_lines(alike, translate) if alike is not None else []
         print("\n".join([*_table(graded, translate), *pairs]))
-    return 0 if all(row.passed for row in rows) else 1
+
+
+def _worksheet(options: argparse.Namespace, language: str) -> tuple[bytes, float | None]:
+    """Return Moodle's worksheet and its highest grade; print what Moodle will not say of it."""
+    worksheet = read_bounded(options.worksheet, MOST_WORKSHEET)
+    highest = moodle.highest(worksheet, str(options.worksheet))
+    said = _of_worksheet(options, worksheet, highest, language)
+    if said and not options.quiet:
+        print(f"landscape: {said}", file=sys.stderr)
+    return worksheet, highest
 
 
 def _as_json(alike: Sequence[Likeness] | None) -> list[dict[str, object]] | None:
@@ -229,6 +252,18 @@ def _check_outputs(options: argparse.Namespace) -> None:
         check_writable(options.feedback, "--feedback ")
 
 
+def _fill(
+    options: argparse.Namespace, graded: Sequence[Graded], worksheet: bytes, _: Translator
+) -> None:
+    """Write the grades into Moodle's worksheet; say who is not in it."""
+    marks = _marks(graded, _)
+    filled, absent = moodle.filled(worksheet, marks, str(options.worksheet))
+    write_whole(options.worksheet, filled)
+    if absent and not options.quiet:
+        text = _(ABSENT).format(file=options.worksheet, numbers=", ".join(absent))
+        print(f"landscape: {text}", file=sys.stderr)
+
+
 def _write(
     options: argparse.Namespace,
     graded: Sequence[Graded],
@@ -255,20 +290,20 @@ def _write(
                 write_whole(path / name / "results.json", tables.as_gradescope(row))
 
     if options.worksheet is not None:
-        marks = _marks(graded, _)
-        filled, absent = moodle.filled(worksheet, marks, str(options.worksheet))
-        write_whole(options.worksheet, filled)
-        if absent and not options.quiet:
-            text = _(ABSENT).format(file=options.worksheet, numbers=", ".join(absent))
-            print(f"landscape: {text}", file=sys.stderr)
+        _fill(options, graded, worksheet, _)
     if options.feedback is not None:
-        files = [
-            (each.submission.folder, _page_name(each), page)
+        write_whole(options.feedback, _feedback(graded, language, _))
+
+
+def _feedback(graded: Sequence[Graded], language: str, _: Translator) -> bytes:
+    """Return the zip of pages that Moodle hands back to the students."""
+    return moodle.feedback(
+        [
+            (each.submission.folder, _page_name(each), as_page([each], language, _))
             for each in graded
             if each.submission.folder
-            for page in [as_page([each], language, _)]
         ]
-        write_whole(options.feedback, moodle.feedback(files))
+    )
 
 
 def _marks(graded: Sequence[Graded], _: Translator) -> dict[str, moodle.Mark]:

@@ -5,6 +5,7 @@ import os
 import sys
 from collections.abc import Mapping
 from concurrent.futures import Executor
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -164,39 +165,12 @@ def _draw(options: argparse.Namespace) -> int:
         raise InputError("film: expected --out or --parts")
     if options.share and options.parts is None:
         raise InputError("--share: expected --parts, too, the folder that is shared")
-    language = _language(options)
-    drawing = Drawing(
-        options.size,
-        options.samples,
-        options.backend,
-        options.assets,
-        options.seed,
-        rig=options.camera,
-    )
-    wanted = Wanted(
-        drawing,
-        fps=options.fps,
-        seconds=options.seconds,
-        scene=options.scene,
-        preset=options.preset,
-        only=options.only,
-        kt=options.kt,
-        wireframe=options.wireframe,
-        language=language,
-        sound=options.sound,
-    )
-
+    wanted = _wanted(options)
     found = places(options.views, wanted)
     changes = given_changes(options, *(kind for kind, _ in found))
-    wanted = Wanted(**{**vars(wanted), "changes": changes})
+    wanted = replace(wanted, changes=changes)
 
-    # A folder with all parts, which one can only read, will do.
-    if options.parts is not None and not options.parts.is_dir():
-        check_folder(options.parts, f"--parts {options.parts}")
-    out = options.out or options.parts / "film.mp4"
-    (check_format if options.out is None else check)(out, options.size, wanted.rate)
-    if options.sound and out.suffix.lower() == ".gif":
-        raise InputError("--sound: a GIF has none; expected .mp4 or .webm")
+    out = _checked_out(options, wanted)
     film = film_of(options.views, wanted)
     with work(options) as (workers, jobs):
         if options.parts is not None:
@@ -207,6 +181,42 @@ def _draw(options: argparse.Namespace) -> int:
         seen = {key: value for key, value in changes.items() if not key.startswith("sound.")}
         tell_of_no_effect(options, found, seen if options.sound else changes)
     return status
+
+
+def _checked_out(options: argparse.Namespace, wanted: Wanted) -> Path:
+    """Return the film's file; InputError where it, or the folder of its parts, cannot be."""
+    # A folder with all parts, which one can only read, will do.
+    if options.parts is not None and not options.parts.is_dir():
+        check_folder(options.parts, f"--parts {options.parts}")
+    out = Path(options.out or options.parts / "film.mp4")
+    (check_format if options.out is None else check)(out, options.size, wanted.rate)
+    if options.sound and out.suffix.lower() == ".gif":
+        raise InputError("--sound: a GIF has none; expected .mp4 or .webm")
+    return out
+
+
+def _wanted(options: argparse.Namespace) -> Wanted:
+    """Return what the options ask for, but for changes of settings."""
+    drawing = Drawing(
+        options.size,
+        options.samples,
+        options.backend,
+        options.assets,
+        options.seed,
+        rig=options.camera,
+    )
+    return Wanted(
+        drawing,
+        fps=options.fps,
+        seconds=options.seconds,
+        scene=options.scene,
+        preset=options.preset,
+        only=options.only,
+        kt=options.kt,
+        wireframe=options.wireframe,
+        language=_language(options),
+        sound=options.sound,
+    )
 
 
 def _draw_parts(

@@ -80,8 +80,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", type=option_values.number, default=0.0, metavar="SECONDS", help=AT)
     parser.add_argument("--out", type=option_values.pathname, metavar="DIR|FILE", help=OUT)
     parser.add_argument("--jobs", type=option_values.jobs, metavar="N", help=JOBS)
+    _instead_of_the_window(parser)
+    parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
+    parser.add_argument("--fresh", action="store_true", help=FRESH)
+    parser.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
+    settings_options(
+        parser,
+        "[flyover] detail = false",
+        "flyover.mode=filled",
+        "landscape settings flyover",
+    )
+    language_option(parser, "language of the window")
+    quiet_option(parser, "print neither progress nor file names")
 
-    # Instead of the window: measures, and an environment as files.
+
+def _instead_of_the_window(parser: argparse.ArgumentParser) -> None:
+    """Add the options that measure, or write an environment as files."""
     parser.add_argument("--bench", action="store_true", help=BENCH)
     parser.add_argument(
         "--json",
@@ -97,18 +111,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--export", type=option_values.pathname, dest="folder", metavar="DIR", help=FOLDER
     )
 
-    parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
-    parser.add_argument("--fresh", action="store_true", help=FRESH)
-    parser.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
-    settings_options(
-        parser,
-        "[flyover] detail = false",
-        "flyover.mode=filled",
-        "landscape settings flyover",
-    )
-    language_option(parser, "language of the window")
-    quiet_option(parser, "print neither progress nor file names")
-
 
 def run(options: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit status. Raises InputError."""
@@ -117,6 +119,30 @@ def run(options: argparse.Namespace) -> int:
         return 0
     if options.file == EXPORT:
         return export(options)
+    _check(options)
+    values = settings_of(options)
+    environment = _environment(options, values)
+
+    if options.bench:
+        return bench(environment, values, options)
+    if options.profile:
+        return profile(environment, values, options)
+    if options.folder is not None:
+        written = exchange.write(environment, values.flyover, options.folder, options.fps)
+        if not options.quiet:
+            print(*written, sep="\n")
+        return 0
+    if options.out is None:
+        return _show(environment, values, options)
+    if options.out.suffix.lower() in FILMS:
+        from landscape.flyover.app import film
+
+        return film.run(environment, values, options)
+    return draw(environment, values, options)
+
+
+def _check(options: argparse.Namespace) -> None:
+    """Raise InputError for options that do not go together, and values that cannot be."""
     if options.export:
         raise InputError(
             "flyover {file} {export}: expected one environment",
@@ -140,7 +166,10 @@ def run(options: argparse.Namespace) -> int:
     alone = [name for name in ("bench", "profile", "folder") if getattr(options, name)]
     if len(alone) > 1:
         raise InputError("flyover: expected one of --bench, --profile and --export")
-    values = settings_of(options)
+
+
+def _environment(options: argparse.Namespace, values: Settings) -> Environment:
+    """Return the environment that is flown over; InputError where --at is after its flight."""
     any_size = bool(values.flyover.resolution)
     if Path(options.file).is_dir():
         environment = exchange.read(Path(options.file), any_size)
@@ -156,31 +185,19 @@ def run(options: argparse.Namespace) -> int:
             at=options.at,
             duration=duration,
         )
+    return environment
 
-    if options.bench:
-        return bench(environment, values, options)
-    if options.profile:
-        return profile(environment, values, options)
-    if options.folder is not None:
-        written = exchange.write(environment, values.flyover, options.folder, options.fps)
-        if not options.quiet:
-            print(*written, sep="\n")
-        return 0
 
-    if options.out is None:
-        from landscape.flyover.app import window
-        from landscape.walk import preferences
-        from landscape.walk.preferences import Preferences
+def _show(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Fly in a window, by the user's preferences; return the exit status."""
+    from landscape.flyover.app import window
+    from landscape.walk import preferences
+    from landscape.walk.preferences import Preferences
 
-        wishes, wrong = preferences.read() if not options.fresh else (Preferences(), [])
-        language = options.lang or wishes.language or choose(os.environ)
-        notify(options, [said(message, language) for message in wrong])
-        return window.show(environment, values, options, wishes)
-    if options.out.suffix.lower() in FILMS:
-        from landscape.flyover.app import film
-
-        return film.run(environment, values, options)
-    return draw(environment, values, options)
+    wishes, wrong = preferences.read() if not options.fresh else (Preferences(), [])
+    language = options.lang or wishes.language or choose(os.environ)
+    notify(options, [said(message, language) for message in wrong])
+    return window.show(environment, values, options, wishes)
 
 
 def settings_of(options: argparse.Namespace) -> Settings:
@@ -207,12 +224,9 @@ def export(options: argparse.Namespace) -> int:
     return 0
 
 
-def draw(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
-    """Draw the flight's frames, each from its own time alone, to PNG files."""
-    size = options.size or SIZE
-    terrain = environment.field(values.flyover)
-    flight = environment.flight(terrain, values.flyover)
-    whole = max(round((flight.duration - options.at) * options.fps), 1)
+def _count(duration: float, options: argparse.Namespace) -> int:
+    """Return how many frames of a flight of ``duration`` seconds are drawn."""
+    whole = max(round((duration - options.at) * options.fps), 1)
     count = min(whole, MOST_FRAMES) if options.frames is None else options.frames
     single = options.out.suffix.lower() == ".png"
     if options.frames is None and single:
@@ -223,6 +237,15 @@ def draw(environment: Environment, values: Settings, options: argparse.Namespace
             count=count,
             most_frames=MOST_FRAMES,
         )
+    return count
+
+
+def draw(environment: Environment, values: Settings, options: argparse.Namespace) -> int:
+    """Draw the flight's frames, each from its own time alone, to PNG files."""
+    size = options.size or SIZE
+    terrain = environment.field(values.flyover)
+    flight = environment.flight(terrain, values.flyover)
+    count = _count(flight.duration, options)
     paths = output_paths(options.out, [f"frame-{number:05}" for number in range(count)])
     jobs = crew.processes(options.jobs) if count >= SEVERAL else 1
     with Crew(terrain, jobs) as drawing, Progress(count, options.quiet) as progress:

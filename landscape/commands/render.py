@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from framelens.base import arguments
 from framelens.base.errors import InputError
@@ -17,7 +18,10 @@ from landscape.commands.work import work, work_options
 from landscape.frame import Pose
 from landscape.passes import files, passes
 from landscape.poster import MOST, TILE, draw
-from landscape.scene.scene import SCENES, View, find_view, scene
+from landscape.scene.scene import SCENES, Scene, View, find_view, scene
+
+if TYPE_CHECKING:
+    from landscape.commands.render_many import Job
 
 EXAMPLE = "fig35e --out castle.png"
 POSTER = (
@@ -52,16 +56,8 @@ def run(options: argparse.Namespace) -> int:
     from framelens.tape.edit_files import read
     from landscape.commands.render_many import render_all
 
-    views: list[tuple[str, str | Pose]] = [(name, name) for name in options.views]
-    places = [find_view(name) for name in options.views]
-    if options.pose is not None:
-        views.append(("pose", options.pose))
-        places.append((scene(options.scene), View("pose", "", options.pose)))
-    if not views:
-        raise InputError("render: expected a VIEW or --pose; `landscape views` lists the views")
-
-    paths = output_paths(options.out, [name for name, _ in views])
-    jobs = [(name, view, path) for (name, view), path in zip(views, paths, strict=True)]
+    jobs, places = _jobs(options)
+    paths = [path for *_, path in jobs]
     changes = given_changes(options, *(kind for kind, _ in places))
     given = {"size": options.size, "settings": changes, "place": options.scene}
     given |= offscreen_options(options) | {"world": options.world}
@@ -74,17 +70,37 @@ def run(options: argparse.Namespace) -> int:
             missed = render_all(*asked, workers, options.jobs or 0)
 
     if options.passes:
-        for _, view, path in jobs:
-            found = passes(view, given, options.kt, options.wireframe)
-            beside = files(path, *found)
-            write_all(beside)
-            paths += list(beside)
-
+        for job in jobs:
+            paths += _write_passes(job, given, options)
     notify(options, missed)
     tell_of_no_effect(options, places, changes)
     if not options.quiet:
         print("\n".join(map(str, paths)))
     return 0
+
+
+def _jobs(options: argparse.Namespace) -> "tuple[list[Job], list[tuple[Scene, View]]]":
+    """Return the views and the pose that are drawn, each with its name and file; and their scenes.
+
+    InputError where there is none.
+    """
+    views: list[tuple[str, str | Pose]] = [(name, name) for name in options.views]
+    places = [find_view(name) for name in options.views]
+    if options.pose is not None:
+        views.append(("pose", options.pose))
+        places.append((scene(options.scene), View("pose", "", options.pose)))
+    if not views:
+        raise InputError("render: expected a VIEW or --pose; `landscape views` lists the views")
+    paths = output_paths(options.out, [name for name, _ in views])
+    return [(*view, path) for view, path in zip(views, paths, strict=True)], places
+
+
+def _write_passes(job: "Job", given: dict[str, object], options: argparse.Namespace) -> list[Path]:
+    """Write a view's depths and masks beside its picture; return their files."""
+    _, view, picture = job
+    beside = files(picture, *passes(view, given, options.kt, options.wireframe))
+    write_all(beside)
+    return list(beside)
 
 
 def _poster(text: str) -> tuple[int, int]:
@@ -101,7 +117,7 @@ def _poster(text: str) -> tuple[int, int]:
 
 
 def _draw_posters(
-    wanted: Sequence[tuple[str, str | Pose, Path]],
+    wanted: "Sequence[Job]",
     given: dict[str, object],
     options: argparse.Namespace,
 ) -> int:

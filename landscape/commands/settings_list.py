@@ -60,14 +60,7 @@ def rows(preset: str | None, changes: Mapping[str, object], word: str = "") -> l
         FLYOVER.values(preset, changes)  # which raises for a key that it does not have
         return [row for row in _rows_of(FLYOVER, preset, changes) if _group(row) == word]
     check_options(preset, changes, None)
-    listed: dict[tuple[str, str], Row] = {}
-    for name in SCENES:
-        for row in _rows_of(scene(name), preset, changes):
-            first = listed.setdefault((row["key"], row["does"]), row)
-            if first is not row:
-                first["scenes"][name] = row["value"]
-
-    found = list(listed.values())
+    found = _of_all_scenes(preset, changes)
     groups = list(dict.fromkeys(map(_group, found)))
     if word in groups:
         return [row for row in found if _group(row) == word]
@@ -82,6 +75,17 @@ def rows(preset: str | None, changes: Mapping[str, object], word: str = "") -> l
         )
 
     return kept
+
+
+def _of_all_scenes(preset: str | None, changes: Mapping[str, object]) -> list[Row]:
+    """Return the settings of all scenes, those that mean the same in several of them once."""
+    listed: dict[tuple[str, str], Row] = {}
+    for name in SCENES:
+        for row in _rows_of(scene(name), preset, changes):
+            first = listed.setdefault((row["key"], row["does"]), row)
+            if first is not row:
+                first["scenes"][name] = row["value"]
+    return list(listed.values())
 
 
 def _group(row: Row) -> str:
@@ -134,25 +138,37 @@ def as_text(found: Sequence[Row]) -> Iterator[str]:
         yield from _lines(row, kind)
 
 
-def _lines(row: Row, kind: type) -> Iterator[str]:
+def _with_unit(row: Row) -> str:
     value = row["value"]
     unit = row["unit"] if isinstance(value, int | float | tuple) else ""
-    shown = value_text(value) + (f" {unit}" if unit and not isinstance(value, bool) else "")
-    head, source = f"  {row['key']:28} {shown}", f"[{row['source']}]"
+    return value_text(value) + (f" {unit}" if unit and not isinstance(value, bool) else "")
+
+
+def _values(row: Row) -> str:
+    """Return the values in the presets, and those of other scenes that differ."""
+    presets = ", ".join(f"{name}: {value_text(each)}" for name, each in row["presets"].items())
+    elsewhere = {name: each for name, each in row["scenes"].items() if each != row["value"]}
+    return presets + "".join(f"; {name}: {value_text(each)}" for name, each in elsewhere.items())
+
+
+def _needs(row: Row, kind: type) -> list[str]:
+    """Return in words the settings that a setting needs.
+
+    What must be shown is plain from the group's name.
+    """
+    needs = declare.fields(kind)[row["key"]].needs
+    needs += unreplaced(kind, row["key"], _named(row["scene"]).slots)
+    told = [in_words(kind, each) for each in needs if any(t.is_setting for t in terms(each))]
+    return [words for words in told if words]
+
+
+def _lines(row: Row, kind: type) -> Iterator[str]:
+    head, source = f"  {row['key']:28} {_with_unit(row)}", f"[{row['source']}]"
     room = WIDTH - len(head) - len(source)
     yield head + (" " * room + source if room > 0 else "")
-    presets = ", ".join(f"{name}: {value_text(each)}" for name, each in row["presets"].items())
-    elsewhere = {name: each for name, each in row["scenes"].items() if each != value}
-    differs = "".join(f"; {name}: {value_text(each)}" for name, each in elsewhere.items())
-    lines = [row["does"], f"{_accepted(row)}; {presets}{differs}"]
-
-    # What is shown is plain from the group's name.
-    slots = _named(row["scene"]).slots
-    needs = declare.fields(kind)[row["key"]].needs
-    needs += unreplaced(kind, row["key"], slots)
-    told = [in_words(kind, each) for each in needs if any(t.is_setting for t in terms(each))]
-    if any(told):
-        lines.append("needs " + "; ".join(filter(None, told)))
+    lines = [row["does"], f"{_accepted(row)}; {_values(row)}"]
+    if needs := _needs(row, kind):
+        lines.append("needs " + "; ".join(needs))
     if row["ignored"]:
         lines.append(f"now {row['ignored']}")
     if room <= 0:

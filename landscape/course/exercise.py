@@ -259,16 +259,7 @@ class Grader:
             jobs.append(job)
         outcomes = self._sandbox.run(jobs)
         if solution is None:
-            # A recorded one has no text: the tests compare with the text of the start.
-            shown = _evidence(model or found.folder / "start.py", outcomes[1], frames)
-            if not isinstance(shown, Evidence):
-                raise InputError(
-                    "{model}: the solution cannot be run here ({solution})",
-                    model=program or found.folder,
-                    solution=shown.get("reason", shown["word"]),
-                )
-            solution = shown
-
+            solution = _solution(found, program, model, outcomes[1], frames)
         work = _evidence(path, outcomes[0], frames)
         if not isinstance(work, Evidence):
             work = {"seconds": self._seconds, "megabytes": jobs[0].megabytes, **work}
@@ -321,6 +312,28 @@ class Grader:
         job = Job(str(path), [frame], seconds=self._seconds, why=language, private=private)
         (outcome,) = self._sandbox.run([job])
         return told(outcome.answer[0].get("cause")) if outcome.answer is not None else None
+
+
+def _solution(
+    found: Exercise,
+    program: Path | None,
+    model: Path | None,
+    outcome: Outcome,
+    frames: Sequence[int],
+) -> Evidence:
+    """Return the evidence of an exercise's solution, ``model`` as it was run; InputError if none.
+
+    ``program`` is its file, None for a recorded one.
+    """
+    # A recorded one has no text: the tests compare with the text of the start.
+    shown = _evidence(model or found.folder / "start.py", outcome, frames)
+    if not isinstance(shown, Evidence):
+        raise InputError(
+            "{model}: the solution cannot be run here ({solution})",
+            model=program or found.folder,
+            solution=shown.get("reason", shown["word"]),
+        )
+    return shown
 
 
 def _syntax(path: Path) -> dict[str, object] | None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFilter
+from PIL import Image, ImageDraw, ImageFilter, ImageFont
 
 from framelens.base.fonts import font, writable
 
@@ -58,38 +58,49 @@ class Caption:
 @lru_cache(maxsize=8)
 def _layer(text: str, below: str, title: bool, size: tuple[int, int]) -> tuple[int, np.ndarray]:
     """Return the first row of a caption's layer, and the layer, uint8 (rows, width, 4)."""
-    width, height = size
-    faces = []
-    for words, part, bold in (
-        (text, TITLE if title else LINE, title),
-        (below, UNDER if title else SMALL, False),
-    ):
-        pixels = max(round(part * height), SMALLEST)
-        while pixels > SMALLEST and font(pixels, bold).getlength(words) > (1 - 2 * EDGE) * width:
-            pixels -= 1
-        faces.append((writable(words, font(pixels, bold)), font(pixels, bold), pixels))
+    layer = _with_shadow(_mask(text, below, title, size))
+    rows = np.flatnonzero(layer[..., 3].any(axis=1))
+    if not len(rows):
+        return 0, layer[:1]
+    return int(rows[0]), layer[rows[0] : rows[-1] + 1]
 
-    (words, face, large), (more, small, little) = faces
+
+def _mask(text: str, below: str, title: bool, size: tuple[int, int]) -> Image.Image:
+    """Return a caption white on black: a title in the middle, another one at the lower left."""
+    width, height = size
+    words, face = _fitting(text, TITLE if title else LINE, title, size)
+    more, small = _fitting(below, UNDER if title else SMALL, False, size)
     mask = Image.new("L", size, 0)
     pen = ImageDraw.Draw(mask)
     if title:
         middle = height * (0.46 if more else 0.5)
         pen.text((width / 2, middle), words, 255, face, "mm")
-        pen.text((width / 2, middle + 0.95 * large), more, 255, small, "mm")
+        pen.text((width / 2, middle + 0.95 * face.size), more, 255, small, "mm")
     else:
         left, low = EDGE * width / 2 + EDGE * height / 2, height * (1 - EDGE)
         pen.text((left, low), more, 255, small, "ls")
-        pen.text((left, low - (1.45 * little if more else 0)), words, 255, face, "ls")
+        pen.text((left, low - (1.45 * small.size if more else 0)), words, 255, face, "ls")
+    return mask
 
+
+def _fitting(
+    words: str, part: float, bold: bool, size: tuple[int, int]
+) -> tuple[str, ImageFont.FreeTypeFont]:
+    """Return words as a font can write them, and the font: ``part`` of the height, or smaller."""
+    width, height = size
+    pixels = max(round(part * height), SMALLEST)
+    while pixels > SMALLEST and font(pixels, bold).getlength(words) > (1 - 2 * EDGE) * width:
+        pixels -= 1
+    return writable(words, font(pixels, bold)), font(pixels, bold)
+
+
+def _with_shadow(mask: Image.Image) -> np.ndarray:
+    """Return what is white in a mask in INK over a soft shadow, uint8 (h, w, 4)."""
     ink = np.asarray(mask, np.float32) / 255.0
-    reach = max(0.006 * height, 1.0)
+    reach = max(0.006 * mask.height, 1.0)
     soft = np.asarray(mask.filter(ImageFilter.GaussianBlur(reach)), np.float32) / 255.0
     shadow = np.clip(2.2 * soft, 0.0, 1.0) * SHADOW
     alpha = ink + shadow * (1 - ink)
     weight = (ink / np.maximum(alpha, 1e-6))[..., None]
     colour = np.array(INK) * weight + np.array(SHADE) * (1 - weight)
-    layer = np.concatenate([colour, 255 * alpha[..., None]], axis=2).round().astype(np.uint8)
-    rows = np.flatnonzero(layer[..., 3].any(axis=1))
-    if not len(rows):
-        return 0, layer[:1]
-    return int(rows[0]), layer[rows[0] : rows[-1] + 1]
+    return np.concatenate([colour, 255 * alpha[..., None]], axis=2).round().astype(np.uint8)

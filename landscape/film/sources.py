@@ -82,24 +82,8 @@ def film_of(words: Sequence[str], wanted: Wanted) -> Film:
 
     Nothing is opened yet: a scene that cannot be is found out when it is drawn.
     """
-    alone = [
-        word for word in words if word == TOUR or is_drawing(word, wanted) or is_recording(word)
-    ]
-    if alone and len(words) > 1:
-        raise InputError(
-            "{alone}: expected to be the only source; only views can be several", alone=alone[0]
-        )
+    _check(words, wanted)
     word = words[0]
-    if wanted.drawing.rig != ONE and (alone and not is_drawing(word, wanted)):
-        raise InputError(
-            "--camera {rig}: expected views or a path, not {word}",
-            rig=wanted.drawing.rig,
-            word=word,
-        )
-    if wanted.drawing.rig != ONE and wanted.scene == SOFTWARE:
-        raise InputError("--camera {rig}: not over --scene flyover", rig=wanted.drawing.rig)
-    if wanted.scene and not is_drawing(word, wanted):
-        raise InputError("--scene {scene}: only a path has none of its own", scene=wanted.scene)
     ending = 0.0
     if word == TOUR:
         from landscape.film.tour import ENDING, parts
@@ -147,16 +131,8 @@ def _through(words: Sequence[str], wanted: Wanted) -> list[Part]:
         still = Still(look_at(kind, view, wanted), view.pose, wanted.seconds or MOMENT)
         return [Part(still)]
 
-    groups: list[tuple[Look, list[View]]] = []
-    for kind, view in map(find_view, words):
-        look = look_at(kind, view, wanted, flown=True)
-        if groups and replace(groups[-1][0], kt=look.kt) == look:
-            groups[-1][1].append(view)
-        else:
-            groups.append((look, [view]))
-
     found: list[Still | Flight] = []
-    for look, views in groups:
+    for look, views in _drawn_alike(words, wanted):
         poses = tuple(view.pose for view in views)
         if len(poses) == 1:
             found.append(Still(look, poses[0], GLANCE))
@@ -167,6 +143,40 @@ def _through(words: Sequence[str], wanted: Wanted) -> list[Part]:
         scale = wanted.seconds / sum(clip.seconds for clip in found)
         found = [clip.lasting(scale * clip.seconds) for clip in found]
     return [Part(clip) for clip in found]
+
+
+def _check(words: Sequence[str], wanted: Wanted) -> None:
+    """Raise InputError for sources, rigs and scenes that do not go together."""
+    word = words[0]
+    alone = [
+        word for word in words if word == TOUR or is_drawing(word, wanted) or is_recording(word)
+    ]
+    if alone and len(words) > 1:
+        raise InputError(
+            "{alone}: expected to be the only source; only views can be several", alone=alone[0]
+        )
+    if wanted.drawing.rig != ONE and (alone and not is_drawing(word, wanted)):
+        raise InputError(
+            "--camera {rig}: expected views or a path, not {word}",
+            rig=wanted.drawing.rig,
+            word=word,
+        )
+    if wanted.drawing.rig != ONE and wanted.scene == SOFTWARE:
+        raise InputError("--camera {rig}: not over --scene flyover", rig=wanted.drawing.rig)
+    if wanted.scene and not is_drawing(word, wanted):
+        raise InputError("--scene {scene}: only a path has none of its own", scene=wanted.scene)
+
+
+def _drawn_alike(words: Sequence[str], wanted: Wanted) -> list[tuple[Look, list[View]]]:
+    """Return views in groups of neighbours that are drawn alike but for the time."""
+    groups: list[tuple[Look, list[View]]] = []
+    for kind, view in map(find_view, words):
+        look = look_at(kind, view, wanted, flown=True)
+        if groups and replace(groups[-1][0], kt=look.kt) == look:
+            groups[-1][1].append(view)
+        else:
+            groups.append((look, [view]))
+    return groups
 
 
 def _high(look: Look, poses: tuple[Pose, ...]) -> tuple[Pose, ...]:

@@ -439,6 +439,25 @@ def listed_views() -> list[ListedView]:
     return entries
 
 
+def _set_viewport(moment: Moment) -> None:
+    if moment.tile is None:
+        gl.glViewport(0, 0, *(scaled(side, moment.detail.scale) for side in moment.size))
+    else:
+        # The tile is the part of this viewport that is in the framebuffer.
+        x, y, *drawn = moment.tile.block
+        gl.glViewport(x - moment.tile.x, y - moment.tile.y, *drawn)
+
+
+def _look_from(pose: Pose) -> None:
+    """Multiply the matrix by the one of a camera at a pose."""
+    assert pose.y is not None
+    if pose.roll:
+        gl.glRotatef(-pose.roll, 0.0, 0.0, 1.0)
+    gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
+    gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
+    gl.glTranslatef(-pose.x, -pose.y, -pose.z)
+
+
 def begin_frame(
     moment: Moment, camera: Camera, light: Sun, haze: Fog, fogged: bool = True, far: float = 0.0
 ) -> Frame:
@@ -447,14 +466,8 @@ def begin_frame(
     ``far`` may move the far plane beyond ``camera.far``, in units.
     """
     pose, detail = moment.pose, moment.detail
-    assert pose.y is not None
     frame_begins()
-    if moment.tile is None:
-        gl.glViewport(0, 0, *(scaled(side, detail.scale) for side in moment.size))
-    else:
-        # The tile is the part of this viewport that is in the framebuffer.
-        x, y, *drawn = moment.tile.block
-        gl.glViewport(x - moment.tile.x, y - moment.tile.y, *drawn)
+    _set_viewport(moment)
     gl.glClearColor(*haze.color, 1.0)
     gl.glClear(gl.GL_COLOR_BUFFER_BIT | gl.GL_DEPTH_BUFFER_BIT | gl.GL_STENCIL_BUFFER_BIT)
     gl.glEnable(gl.GL_DEPTH_TEST)
@@ -466,11 +479,7 @@ def begin_frame(
     gl.glFrustum(*_near_plane(moment, camera), camera.near, far)
     gl.glMatrixMode(gl.GL_MODELVIEW)
     gl.glLoadIdentity()
-    if pose.roll:
-        gl.glRotatef(-pose.roll, 0.0, 0.0, 1.0)
-    gl.glRotatef(-pose.pitch, 1.0, 0.0, 0.0)
-    gl.glRotatef(pose.yaw, 0.0, 1.0, 0.0)
-    gl.glTranslatef(-pose.x, -pose.y, -pose.z)
+    _look_from(pose)
 
     sun.shine(light)
     if fogged and haze.enabled:

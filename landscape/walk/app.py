@@ -56,7 +56,7 @@ from landscape.walk.speaker import Speaker
 from landscape.walk.start_command import start_command
 from landscape.walk.steady import Steady
 from landscape.walk.waiting import Waiting, with_alpha
-from landscape.walk.walker import Intent, aimed, start
+from landscape.walk.walker import Intent, Walker, aimed, start
 
 SHOWN = 2.0  # seconds for which a message is shown, at least
 READ = 0.06  # chosen: seconds in which a character of a message is read
@@ -246,20 +246,15 @@ class Walk:
             return None
 
         seconds = self._lap()
-        done = self._take_pad()
-        intent, keys = self.hands.take()
-        intent = self._aimed(intent)
-        look, blocks = self.place.settings.walk.mouse, self.place.kind.blocks
-        intent = steered(intent, self._pad_state, done, seconds, look, blocks)
-        keys += tuple(name for name in done if name not in (*pad.ORDERS, *pad.TOOLS))
+        intent, keys = self._taken(seconds)
         if self._inspect(self._context.scale()):
             # The walk stands still while a frame is looked into.
             self._stood += seconds
             seconds, intent = 0.0, Intent()
 
         keys = self._builder.switches(self.place.scene, keys)
-        settings = self.place.settings
-        switches, toggled, said = pressed(self.place.kind, settings, keys, self._language)
+        place = self.place
+        switches, toggled, said = pressed(place.kind, place.settings, keys, self._language)
         changes = self._changes({**toggled, **self._choose()})
         self._choose_landmark()
         self._find()
@@ -267,7 +262,7 @@ class Walk:
         self._note = ""
 
         seconds = min(max(seconds, 0.0), MAX_SECONDS)
-        row = self.place.chooser.row
+        row = place.chooser.row
         return Tick(seconds, intent, switches, self._context.pixels(), note, row, changes)
 
     def _take_pad(self) -> list[str]:
@@ -453,11 +448,7 @@ class Walk:
             self._note = self._note if done else self._word("no_monitor")
             self.hands.capture(self.hands.captured)
         elif order == "inspector":
-            self._close_help()
-            letter = self.hands.keymap.labels("inspector", self._language, system_name)
-            self.hands.inspecting = self.inspection.toggle(self._language, letter)
-            if self.hands.captured:
-                self.obey("release")
+            self._toggle_inspector()
         elif order in ("preferences", "landmarks"):
             self._open_list(order)
         elif order == "save":
@@ -497,6 +488,35 @@ class Walk:
                 self._rebuild()
         return self.inspection.holds
 
+    def _taken(self, seconds: float) -> tuple[Intent, tuple[str, ...]]:
+        """Return what keys, mouse and pad ask of the walker, and which actions they name."""
+        done = self._take_pad()
+        intent, keys = self.hands.take()
+        intent = self._aimed(intent)
+        look, blocks = self.place.settings.walk.mouse, self.place.kind.blocks
+        intent = steered(intent, self._pad_state, done, seconds, look, blocks)
+        return intent, keys + tuple(n for n in done if n not in (*pad.ORDERS, *pad.TOOLS))
+
+    def _tell_of_walker(self, before: Walker) -> None:
+        """Say what has begun or ended since the frame before: to fly, to swim, the map's edge."""
+        if self.walker.flying != before.flying:
+            self._tell("fly", self.walker.flying)
+        elif self.walker.swimming != before.swimming:
+            self._tell_swimming()
+
+        if self.walker.at_edge and not before.at_edge:
+            self._say(self._word("edge"))
+        if self.walker.escapes > before.escapes:
+            self._say(self._word("let_out"))
+
+    def _toggle_inspector(self) -> None:
+        """Open or close the inspector, which needs the mouse."""
+        self._close_help()
+        letter = self.hands.keymap.labels("inspector", self._language, system_name)
+        self.hands.inspecting = self.inspection.toggle(self._language, letter)
+        if self.hands.captured:
+            self.obey("release")
+
     def advance(self, tick: Tick) -> None:
         """Advance the clock, the switches and the walker by one frame."""
         self.seconds += tick.seconds
@@ -513,15 +533,7 @@ class Walk:
             self._say(said)
         if saved := self._builder.saved(self.place.scene, tick.seconds):
             self._note = saved
-        if self.walker.flying != before.flying:
-            self._tell("fly", self.walker.flying)
-        elif self.walker.swimming != before.swimming:
-            self._tell_swimming()
-
-        if self.walker.at_edge and not before.at_edge:
-            self._say(self._word("edge"))
-        if self.walker.escapes > before.escapes:
-            self._say(self._word("let_out"))
+        self._tell_of_walker(before)
         self._size = tick.size
         self._try_doors(tick.intent)
         self._hear()
@@ -714,8 +726,13 @@ class Walk:
             # The user may have changed the keyboard's layout.
             self._panel.set_rows(self._help_rows(), self._word("help.title"))
 
+        self._draw_panel(self._panel)
+
+    def _draw_panel(self, panel: Panel) -> None:
+        """Draw what stands over the frame: the help, the message, lists, the bar of blocks."""
+        scene = self.place.scene
         larger = self.wishes.preferences.text_size
-        self._panel.dpi = enlarged(self._size, self._dpi, larger)
+        panel.dpi = enlarged(self._size, self._dpi, larger)
         left = max(self._until - self.seconds - self._stood, 0.0)
         if self.hands.choosing:
             left = 0.0  # a long message would lie over the list
@@ -724,7 +741,7 @@ class Walk:
         at_left = self._at_left()
         if self._help:
             at_left = cross = None  # neither could be read over the other
-        self._panel.draw(
+        panel.draw(
             self._size,
             self._help,
             message,
@@ -734,7 +751,7 @@ class Walk:
             bar,
             opaque=self._shows_map(),
             covered=self._builder.covered(scene, self._size),
-            right=self.hearing.picture(self._language, self._size, self._panel.dpi),
+            right=self.hearing.picture(self._language, self._size, panel.dpi),
         )
 
     def _shows_map(self) -> bool:

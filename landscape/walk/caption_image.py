@@ -28,11 +28,21 @@ def caption_image(
     line = round(SPACING * pixels)
     image = Image.new("RGBA", (width, line * len(lines)), (0, 0, 0, 0))
     for k, (text, (_, arrow, opacity)) in enumerate(zip(texts, lines, strict=True)):
-        strip = Image.new("RGBA", (width, line), PLATE)
-        pen = ImageDraw.Draw(strip)
-        if arrow:
-            pen.text((pixels / 2, line / 2), writable(arrow, face), KEYS, face, "lm")
-        pen.text((pixels / 2 + arrow_wide, line / 2), text, WORDS, face, "lm")
+        strip = _strip(text, writable(arrow, face), (width, line), pixels, arrow_wide)
         strip.putalpha(strip.getchannel("A").point(lambda a, left=opacity: round(a * left)))
         image.paste(strip, (0, k * line))
     return np.asarray(image)
+
+
+def _strip(
+    text: str, arrow: str, size: tuple[int, int], pixels: int, arrow_wide: int
+) -> Image.Image:
+    """Return a line on its plate, with an arrow in front of it if there is one."""
+    face = font(pixels)
+    middle = size[1] / 2
+    strip = Image.new("RGBA", size, PLATE)
+    pen = ImageDraw.Draw(strip)
+    if arrow:
+        pen.text((pixels / 2, middle), arrow, KEYS, face, "lm")
+    pen.text((pixels / 2 + arrow_wide, middle), text, WORDS, face, "lm")
+    return strip

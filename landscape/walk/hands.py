@@ -124,13 +124,19 @@ class Hands:
         if key == glfw.KEY_ESCAPE:
             self._escape()
         elif name := self._action(key):
-            if name == "list":
-                return None if self.inspecting else self._pick(name)
-            if name == "inspector" and self.listing:
-                self._pick("list")
-            order = name in BY_ACTION and BY_ACTION[name].kind == ORDER
-            to = self.orders if order else self._switches
-            to.append(WITH_SHIFT.get(name, name) if mods & glfw.MOD_SHIFT else name)
+            self._act(name, bool(mods & glfw.MOD_SHIFT))
+
+    def _act(self, name: str, shift: bool) -> None:
+        """Note an action: one of the list, an order to the window, or a switch of the walk."""
+        if name == "list":
+            if not self.inspecting:
+                self._pick(name)
+            return
+        if name == "inspector" and self.listing:
+            self._pick("list")
+        order = name in BY_ACTION and BY_ACTION[name].kind == ORDER
+        to = self.orders if order else self._switches
+        to.append(WITH_SHIFT.get(name, name) if shift else name)
 
     def _escape(self) -> None:
         """Note what Escape asks for: it shuts what will only be opened in the next frame, too."""

@@ -1,7 +1,7 @@
 """The picture of the list of settings: the rows around the chosen one, and what that one is."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -63,22 +63,25 @@ class Layout:
 
 
 @lru_cache(maxsize=4)
+def _fitting(page: Page, size: tuple[int, int], dpi: float) -> tuple[int, float, int]:
+    """Return the size of letters in which a page's rows fit, and the widths of names and rows."""
+    known = tuple((line.name, f"{line.value}  {line.default or line.value}") for line in page.lines)
+    largest = text_size(size, dpi)
+    for pixels in range(max(round(SIZE * largest), min(LEAST, largest)), SMALLEST - 1, -1):
+        names, values = _columns(known, pixels)
+        width = int(names + values + 4 * pixels)
+        if width <= WIDEST * size[0]:
+            break
+    return pixels, names, width
+
+
 def layout(page: Page, size: tuple[int, int], dpi: float = 1.0) -> Layout:
     """Lay a page out for a window of ``size`` pixels.
 
     It is as high as the window allows; the rows scroll so that the chosen one can be seen.
     """
-    largest = text_size(size, dpi)
-    for pixels in range(max(round(SIZE * largest), min(LEAST, largest)), SMALLEST - 1, -1):
-        face = font(pixels)
-        known = tuple(
-            (line.name, f"{line.value}  {line.default or line.value}") for line in page.lines
-        )
-        names, values = _columns(known, pixels)
-        width = int(names + values + 4 * pixels)
-        if width <= WIDEST * size[0]:
-            break
-
+    pixels, names, width = _fitting(page, size, dpi)
+    face = font(pixels)
     edge, line_height = pixels, round(SPACING * pixels)
     below = tuple(
         part
@@ -104,50 +107,77 @@ def line_at(page: Page, size: tuple[int, int], dpi: float, x: float, y: float) -
     return number if 0 <= right < laid.width and laid.first <= number < laid.end else None
 
 
+def _mark(draw: ImageDraw.ImageDraw, laid: Layout, y: int) -> None:
+    """Draw the plate of the chosen row, whose text begins at y."""
+    edge = laid.pixels
+    box = (edge // 2, y - edge // 8, laid.width - edge // 2, y + laid.line_height - edge // 4)
+    draw.rectangle(box, CHOSEN)
+
+
+def _texts(line: Line, laid: Layout) -> Iterator[tuple[float, str, tuple[int, ...]]]:
+    """Yield the texts of a row, each with where it begins and its colour."""
+    if not line.value:
+        yield laid.pixels, line.name, KEYS
+        return
+    face = font(laid.pixels)
+    left = laid.names + 3 * laid.pixels
+    yield 2 * laid.pixels, line.name, DEFAULT if line.idle else WORDS
+    yield left, line.value, DEFAULT if line.idle else TITLE
+    yield left + face.getlength(writable(f"{line.value}  ", face)), line.default, DEFAULT
+
+
 def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
     """Render the list on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
     laid = layout(page, size, dpi)
     face = font(laid.pixels)
     edge = laid.pixels
     line_height = laid.line_height
-    width, height = laid.width, laid.height
-    image = Image.new("RGBA", (width, height), PLATE)
+    image = Image.new("RGBA", (laid.width, laid.height), PLATE)
     draw = ImageDraw.Draw(image)
 
-    def write(x: float, y: float, text: str, colour: tuple[int, ...], anchor: str = "la") -> None:
-        draw.text((x, y), writable(text, face), colour, face, anchor)
+    def write(x: float, y: float, text: str, colour: tuple[int, ...]) -> None:
+        draw.text((x, y), writable(text, face), colour, face, "la")
 
     write(edge, edge, page.title, TITLE)
     y = laid.top
     for line in page.lines[laid.first : laid.end]:
         if line.chosen:
-            box = (edge // 2, y - edge // 8, width - edge // 2, y + line_height - edge // 4)
-            draw.rectangle(box, CHOSEN)
-        if not line.value:
-            write(edge, y, line.name, KEYS)
-        else:
-            write(2 * edge, y, line.name, DEFAULT if line.idle else WORDS)
-            write(laid.names + 3 * edge, y, line.value, DEFAULT if line.idle else TITLE)
-            after = face.getlength(writable(f"{line.value}  ", face))
-            write(laid.names + 3 * edge + after, y, line.default, DEFAULT)
+            _mark(draw, laid, y)
+        for x, text, colour in _texts(line, laid):
+            write(x, y, text, colour)
         y += line_height
-    y = height - edge - len(laid.below) * line_height
+    y = laid.height - edge - len(laid.below) * line_height
     for text in laid.below:
         write(edge, y, text, WORDS)
         y += line_height
     return np.asarray(image)
 
 
-def text_image(texts: Sequence[str], size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
-    """Render a title and paragraphs on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
+def _set(
+    texts: Sequence[str], size: tuple[int, int], dpi: float
+) -> tuple[int, int, list[list[str]]]:
+    """Return the largest size of letters in which paragraphs fit, their width, and their lines."""
     for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
         face = font(pixels)
         width = round(min(WIDEST * size[0], WIDE * pixels))
         paragraphs = [wrapped(writable(text, face), face, width - 2 * pixels) for text in texts]
-        line_height = round(SPACING * pixels)
-        height = 2 * pixels + sum((len(each) + 0.5) * line_height for each in paragraphs)
-        if height <= 0.94 * size[1]:
+        if _height(paragraphs, pixels) <= 0.94 * size[1]:
             break
+    return pixels, width, paragraphs
+
+
+def _height(paragraphs: Sequence[Sequence[str]], pixels: int) -> float:
+    """Return how high paragraphs are with their margins, in pixels."""
+    line_height = round(SPACING * pixels)
+    return 2 * pixels + sum((len(each) + 0.5) * line_height for each in paragraphs)
+
+
+def text_image(texts: Sequence[str], size: tuple[int, int], dpi: float = 1.0) -> np.ndarray:
+    """Render a title and paragraphs on a plate for a window of ``size`` pixels, uint8 (h, w, 4)."""
+    pixels, width, paragraphs = _set(texts, size, dpi)
+    face = font(pixels)
+    line_height = round(SPACING * pixels)
+    height = _height(paragraphs, pixels)
     image = Image.new("RGBA", (max(width, 1), max(round(height), 1)), PLATE)
     draw = ImageDraw.Draw(image)
     y = float(pixels)

@@ -9,7 +9,7 @@ precision. Assets are not stored: replaying a walk on your own island needs the 
 """
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any, TypeVar
@@ -177,19 +177,7 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
             most_frames=MOST_FRAMES,
         )
     lines = data.splitlines()
-    first = _object(path, 1, lines[0]) if lines else {}
-    if not _is_count(first.get("landscape walk"), VERSION):
-        raise InputError(
-            '{path}:1: expected a line with "landscape walk": {version}', path=path, version=VERSION
-        )
-    last = len(lines)
-    end = _object(path, last, lines[-1]) if last > 1 else {}
-    if list(end) != ["frames"] or not _is_count(end["frames"], last - 2):
-        raise InputError(
-            "{path}:{last}: truncated: expected a last line that counts the frames",
-            path=path,
-            last=last,
-        )
+    first = _checked_ends(path, lines)
     try:
         plan = _plan(first)
     except (InputError, ValueError, TypeError, KeyError) as error:
@@ -295,11 +283,33 @@ def _changes(value: object, name: str, first: str) -> dict[str, Value]:
     return {}
 
 
-def _plan(line: Mapping[str, object]) -> Plan:
-    x, y, z, yaw, pitch = _kind(line["pose"], "pose", list)
+def _checked_ends(path: Path, lines: Sequence[bytes]) -> dict[str, object]:
+    """Return the first line; InputError unless it is a recording's, and the last counts frames."""
+    first = _object(path, 1, lines[0]) if lines else {}
+    if not _is_count(first.get("landscape walk"), VERSION):
+        raise InputError(
+            '{path}:1: expected a line with "landscape walk": {version}', path=path, version=VERSION
+        )
+    last = len(lines)
+    end = _object(path, last, lines[-1]) if last > 1 else {}
+    if list(end) != ["frames"] or not _is_count(end["frames"], last - 2):
+        raise InputError(
+            "{path}:{last}: truncated: expected a last line that counts the frames",
+            path=path,
+            last=last,
+        )
+    return first
+
+
+def _pose(value: object) -> Pose:
+    x, y, z, yaw, pitch = _kind(value, "pose", list)
     x, z, yaw, pitch = _numbers([x, z, yaw, pitch], "pose", 4, -MAX_NUMBER, MAX_NUMBER)
     y = None if y is None else _number(y, "pose", -MAX_NUMBER, MAX_NUMBER)
+    return Pose(x, y, z, yaw, pitch)
 
+
+def _plan(line: Mapping[str, object]) -> Plan:
+    pose = _pose(line["pose"])
     # Older recordings name no scene: they are of the first one.
     kind = scene(_kind(line.get("scene", ""), "scene", str))
     only = kind.only(_names(line["only"], "only"))
@@ -312,7 +322,7 @@ def _plan(line: Mapping[str, object]) -> Plan:
         scene=kind.name,
         settings=with_settings(kind.settings, settings),
         view=_kind(line["view"], "view", str),
-        pose=Pose(x, y, z, yaw, pitch),
+        pose=pose,
         size=_size(line["size"]),
         kt=_number(line["kt"], "kt", -1e12, 1e12),
         seed=seed,
@@ -330,11 +340,8 @@ def _preset(kind: Scene, value: object) -> str:
     return name
 
 
-def _tick(line: Mapping[str, object], before: Tick, first: str) -> Tick:
-    """Return a frame of a walk that began in the scene ``first``.
-
-    What its line leaves out is as in the frame ``before``.
-    """
+def _intent(line: Mapping[str, object]) -> Intent:
+    """Return what a frame's line asks of the walker."""
     intent: dict[str, Any] = {}  # fields, each of its type
     for item in fields(Intent):
         if item.name not in line:
@@ -346,7 +353,14 @@ def _tick(line: Mapping[str, object], before: Tick, first: str) -> Tick:
             intent[item.name] = _kind(value, item.name, bool)
         else:
             intent[item.name] = _number(value, item.name, -1, 1)
+    return Intent(**intent)
 
+
+def _tick(line: Mapping[str, object], before: Tick, first: str) -> Tick:
+    """Return a frame of a walk that began in the scene ``first``.
+
+    What its line leaves out is as in the frame ``before``.
+    """
     known = {item.name for item in fields(Intent)} | {"dt", "do", "size", "note", "list", "set"}
     if not set(line) <= known:
         raise ValueError(f"unknown: {', '.join(sorted(set(line) - known))}")
@@ -355,7 +369,7 @@ def _tick(line: Mapping[str, object], before: Tick, first: str) -> Tick:
         raise ValueError(f"do: expected some of {', '.join(ACTIONS)}")
     return Tick(
         seconds=_number(line["dt"], "dt", 0, MAX_SECONDS),
-        intent=Intent(**intent),
+        intent=_intent(line),
         actions=actions,
         size=_size(line["size"]) if "size" in line else before.size,
         note=_kind(line.get("note", ""), "note", str),

@@ -2,9 +2,10 @@
 
 import os
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from framelens.base.errors import InputError
 from framelens.base.texts import choose
@@ -24,10 +25,13 @@ from landscape.walk.loop import run
 from landscape.walk.opening import SIZE
 from landscape.walk.pace import FPS
 from landscape.walk.preferences import Preferences
-from landscape.walk.recording import Plan, Writer, read
+from landscape.walk.recording import Plan, Tick, Writer, read
 from landscape.walk.speaker import Speaker, is_installed
 from landscape.walk.title import TO_TITLE
 from landscape.walk.waiting import Left
+
+if TYPE_CHECKING:
+    from landscape.flyover.environment import Environment
 
 
 def walk(
@@ -76,56 +80,18 @@ def walk(
     title's: it stays open, and TO_TITLE is returned if the user wants back. Raises InputError and
     NoOpenGLError.
     """
-    if backend == "cgl":
-        raise InputError("--backend cgl: it opens no window; expected auto, glfw or software")
-    if backend in HEADLESS and frames is None and replay is None:
-        raise InputError(
-            "--backend {backend}: no window to leave by; expected --frames as well", backend=backend
-        )
-    if path is not None and (record is not None or replay is not None):
-        raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
-    environment = None
-    if path is not None:
-        # A walk without a path begins sooner without the fly-over's modules.
-        from landscape.flyover.environment import open_environment
-
-        environment = open_environment(path)
-        for line in environment.notices if not quiet else ():
-            print(f"landscape: {line}", file=sys.stderr)
+    _check(backend, frames, record, replay, path)
+    environment = _environment(path, quiet) if path is not None else None
     ticks = None
     if replay is not None:
-        plan, recorded = read(recording(replay))
-        plan = replace(plan, language=language or plan.language)
+        plan, ticks = _recorded(replay, size, language)
         preferences = Preferences(keys=preferences.keys) if preferences is not None else None
-        if size is not None:
-            plan = replace(plan, size=size)
-            recorded = [replace(tick, size=size) for tick in recorded]
-        ticks = iter(recorded)
     else:
-        plan = Plan(
-            scene=kind.name,
-            settings=settings,
-            view=begin.name,
-            pose=begin.pose,
-            size=size or SIZE,
-            kt=begin.kt,
-            seed=seed,
-            only=kind.shown(begin, only) if only is None else kind.only(only),
-            wireframe=wireframe or begin.wireframe,
-            language=language or choose(os.environ),
-            preset=kind.preset_of(begin),
-            given=_checked(settings, given or {}),
-        )
+        only = kind.shown(begin, only) if only is None else kind.only(only)
+        plan = _plan(kind, begin, settings, size, seed, tuple(only), wireframe, language, given)
 
     changes = read_edits(edits) if edits is not None else []
-    kept_world = None
-    if world is not None:
-        if not scene(plan.scene).blocks:
-            raise InputError(
-                "world {world}: expected a view of a scene of blocks, such as voxel", world=world
-            )
-        kept_world = WorldFile(world, keep=ticks is None)
-
+    kept_world = _world(world, plan.scene, ticks is None) if world is not None else None
     writer = Writer(record, plan) if record is not None else None
     try:
         kept_rate = fps if ticks is None else 0.0
@@ -155,13 +121,8 @@ def walk(
 
                 course = Course(environment, opened.place.scene, settings, plan.language)
             run(opened, ticks, writer, frames, course)
-        if opened.resizer.refused and not quiet:
-            wanted, got = ("{}x{}".format(*size) for size in opened.resizer.refused)
-            told = words.text(plan.language, "resized", wanted=wanted, given=got)
-            print("landscape:", told, file=sys.stderr)
         if not quiet:
-            for line in opened.inspection.missed():
-                print(f"landscape: {line}", file=sys.stderr)
+            _report(opened, plan.language)
     except Left:
         closed = not titled or context is None or glfw.window_should_close(context.window)
         return 0 if closed else TO_TITLE
@@ -175,6 +136,90 @@ def walk(
             print("landscape:", words.text(plan.language, "inspector.record"), file=sys.stderr)
 
     return TO_TITLE if opened.to_title else 0
+
+
+def _check(
+    backend: str, frames: int | None, record: Path | None, replay: Path | None, path: str | None
+) -> None:
+    """Raise InputError for options that do not go together."""
+    if backend == "cgl":
+        raise InputError("--backend cgl: it opens no window; expected auto, glfw or software")
+    if backend in HEADLESS and frames is None and replay is None:
+        raise InputError(
+            "--backend {backend}: no window to leave by; expected --frames as well", backend=backend
+        )
+    if path is not None and (record is not None or replay is not None):
+        raise InputError("--path: a flight is not recorded; expected no --record and no --replay")
+
+
+def _environment(path: str, quiet: bool) -> "Environment":
+    """Return the environment of the fly-over whose path the walk follows; print its notices."""
+    # A walk without a path begins sooner without the fly-over's modules.
+    from landscape.flyover.environment import open_environment
+
+    environment = open_environment(path)
+    for line in environment.notices if not quiet else ():
+        print(f"landscape: {line}", file=sys.stderr)
+    return environment
+
+
+def _plan(
+    kind: Scene,
+    begin: View,
+    settings: SceneSettings,
+    size: tuple[int, int] | None,
+    seed: int,
+    shown: tuple[str, ...],
+    wireframe: bool,
+    language: str,
+    given: Mapping[str, object] | None,
+) -> Plan:
+    """Return the plan of a live walk, which shows the elements ``shown``."""
+    return Plan(
+        scene=kind.name,
+        settings=settings,
+        view=begin.name,
+        pose=begin.pose,
+        size=size or SIZE,
+        kt=begin.kt,
+        seed=seed,
+        only=shown,
+        wireframe=wireframe or begin.wireframe,
+        language=language or choose(os.environ),
+        preset=kind.preset_of(begin),
+        given=_checked(settings, given or {}),
+    )
+
+
+def _recorded(
+    replay: Path, size: tuple[int, int] | None, language: str
+) -> tuple[Plan, Iterator[Tick]]:
+    """Return the plan and the frames of a recording, in another size or language if given."""
+    plan, ticks = read(recording(replay))
+    plan = replace(plan, language=language or plan.language)
+    if size is not None:
+        plan = replace(plan, size=size)
+        ticks = [replace(tick, size=size) for tick in ticks]
+    return plan, iter(ticks)
+
+
+def _world(world: Path, name: str, keep: bool) -> WorldFile:
+    """Return the file of changed blocks of the scene ``name``; InputError if that has no blocks."""
+    if not scene(name).blocks:
+        raise InputError(
+            "world {world}: expected a view of a scene of blocks, such as voxel", world=world
+        )
+    return WorldFile(world, keep=keep)
+
+
+def _report(opened: Walk, language: str) -> None:
+    """Print what was asked for and could not be had: the window's size, edits of calls."""
+    if opened.resizer.refused:
+        wanted, got = ("{}x{}".format(*size) for size in opened.resizer.refused)
+        told = words.text(language, "resized", wanted=wanted, given=got)
+        print("landscape:", told, file=sys.stderr)
+    for line in opened.inspection.missed():
+        print(f"landscape: {line}", file=sys.stderr)
 
 
 def _checked(settings: object, given: Mapping[str, object]) -> dict[str, declare.Value]:

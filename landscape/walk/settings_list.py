@@ -180,6 +180,12 @@ class Page:
     below: tuple[str, ...]
 
 
+def _about(row: Row, usual: str, language: str) -> str:
+    """Return three lines about the chosen row: its key, what it does, and its limits."""
+    limits = words.text(language, "list.range", range=_limits(row, language), default=usual)
+    return f"{row.key}\n{described(row, language)}\n{limits}"
+
+
 def page(
     settings: object,
     defaults: object,
@@ -209,8 +215,7 @@ def page(
         here, differs = row.name == chosen, usual if value != default else ""
         lines.append(Line(row.label, written(value, language), differs, here, bool(idle)))
         if here:
-            limits = words.text(language, "list.range", range=_limits(row, language), default=usual)
-            below = f"{row.key}\n{described(row, language)}\n{limits}"
+            below = _about(row, usual, language)
             note = note or (said(idle, language) if idle else "")
 
     text = words.text

@@ -189,16 +189,25 @@ def _cover(
             gl.glPolygonStipple(pattern)
         gl.glEnable(gl.GL_TEXTURE_2D)
         target.bind()
-        kind = gl.GL_NEAREST if near else gl.GL_LINEAR
-        gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAG_FILTER, kind)
-        gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER, kind)
+        _filter(gl.GL_NEAREST if near else gl.GL_LINEAR)
 
         # Not modulated by a colour: that would cost another third.
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
-        gl.glBegin(gl.GL_QUADS)
-        for x, y in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)):
-            gl.glTexCoord2f(s * x, t * y)
-            gl.glVertex2f(x, y)
-        gl.glEnd()
+        _draw_unit_square(s, t)
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
         gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+
+def _filter(kind: int) -> None:
+    """Filter the texture that is bound by ``kind``, magnified and reduced."""
+    gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MAG_FILTER, kind)
+    gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_FILTER, kind)
+
+
+def _draw_unit_square(s: float, t: float) -> None:
+    """Draw a square from 0 to 1 whose upper right corner has the texture coordinates s, t."""
+    gl.glBegin(gl.GL_QUADS)
+    for x, y in ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)):
+        gl.glTexCoord2f(s * x, t * y)
+        gl.glVertex2f(x, y)
+    gl.glEnd()

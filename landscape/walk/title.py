@@ -369,8 +369,14 @@ class Title:
         self._release_plate()
         self._plate = Plate(self._drawn.image)
         show_plate(self._plate, size)
-        self._panel.dpi = dpi
+        self._draw_over(size, page, rows)
+        self._context.show()
 
+    def _draw_over(
+        self, size: tuple[int, int], page: Page | None, rows: tuple[tuple[str, str], ...]
+    ) -> None:
+        """Draw over the title the page of preferences if there is one, or else the list of keys."""
+        self._panel.dpi = dpi = self._dpi
         gl.glViewport(0, 0, *size)
         if page is not None:
             self._panel.draw(
@@ -379,7 +385,6 @@ class Title:
         elif rows:
             keys = self._word("help.title"), rows, size, dpi
             self._panel.draw(size, left=(keys, lambda: keys_image(*keys)), opaque=True)
-        self._context.show()
 
     def run(self) -> Entry | None:
         """Let the user choose; return what, or None if he leaves. The window stays open."""

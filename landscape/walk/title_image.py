@@ -64,20 +64,12 @@ def title_image(
     far: they move only if the chosen one is not among them.
     """
     image = covering(behind, size)
-    for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
-        face = font(pixels)
-        wide = max(face.getlength(f"{row.text}  {row.beside}") for row in rows) + 5 * pixels
-        if wide <= max(WIDEST * size[0], 18 * pixels):
-            break
+    pixels, width = _fitting(rows, size, dpi)
+    face = font(pixels)
     large = font(round(LARGE * pixels))
     line = round(SPACING * pixels)
     edge = 2 * pixels
-    width = min(max(round(wide), 18 * pixels), size[0])
-    notes = [
-        line
-        for paragraph in below.split("\n")
-        for line in wrapped(writable(paragraph, face), face, width - 2 * edge)
-    ]
+    notes = _wrapped(below, face, width - 2 * edge)
     around = 4 * edge + len(notes) * line
     count = max(min(len(rows), (round(TALLEST * size[1]) - around) // line), 1)
     first = max(min(first, chosen, len(rows) - count), chosen - count + 1, 0)
@@ -88,28 +80,66 @@ def title_image(
     y = max((size[1] - around - count * line) // 3, edge // 2)
     draw.text((edge, y), writable(heading, large), TITLE, large, "la")
     y += 2 * edge
-    places = {}
-    if first > 0:
-        places[first - 1] = (y - line, y)
-        _announce(draw, first, True, (width - edge, y - line // 2), face)
-    for number in range(first, first + count):
-        row = rows[number]
-        places[number] = (y, y + line)
-        if number == chosen:
-            right = max(width - edge // 2, edge // 2)
-            draw.rectangle((edge // 2, y, right, y + line - 1), CHOSEN)
-        middle = y + line / 2
-        draw.text((edge, middle), writable(row.text, face), WORDS, face, "lm")
-        draw.text((width - edge, middle), writable(row.beside, face), KEYS, face, "rm")
-        y += line
-    if hidden := len(rows) - first - count:
-        places[first + count] = (y, y + line)
-        _announce(draw, hidden, False, (width - edge, y + line // 2), face)
-    y += edge
+    places = _draw_rows(draw, rows, range(first, first + count), chosen, y, (width, pixels))
+    y += count * line + edge
     for note in notes:
         draw.text((edge, y), note, KEYS, face, "la")
         y += line
     return Drawn(np.asarray(Image.alpha_composite(image, plate)), places, width, first)
+
+
+def _fitting(rows: Sequence[Row], size: tuple[int, int], dpi: float) -> tuple[int, int]:
+    """Return the size of the letters in which all rows fit, and the width of the plate."""
+    for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
+        face = font(pixels)
+        wide = max(face.getlength(f"{row.text}  {row.beside}") for row in rows) + 5 * pixels
+        if wide <= max(WIDEST * size[0], 18 * pixels):
+            break
+    return pixels, min(max(round(wide), 18 * pixels), size[0])
+
+
+def _wrapped(paragraphs: str, face: ImageFont.FreeTypeFont, width: int) -> list[str]:
+    """Return the lines of paragraphs in a width in pixels."""
+    return [
+        line
+        for paragraph in paragraphs.split("\n")
+        for line in wrapped(writable(paragraph, face), face, width)
+    ]
+
+
+def _draw_rows(
+    draw: ImageDraw.ImageDraw,
+    rows: Sequence[Row],
+    shown: range,
+    chosen: int,
+    y: int,
+    size: tuple[int, int],
+) -> dict[int, tuple[int, int]]:
+    """Draw the rows that are ``shown`` from ``y`` on, and how many there are above and below them.
+
+    ``size`` is the plate's width and that of the letters. Return the upper and lower edge of each
+    row by its number, with those of the next row above and below.
+    """
+    width, pixels = size
+    face = font(pixels)
+    line = round(SPACING * pixels)
+    edge = 2 * pixels
+
+    places = {}
+    if shown.start > 0:
+        places[shown.start - 1] = (y - line, y)
+        _announce(draw, shown.start, True, (width - edge, y - line // 2), face)
+    for number in shown:
+        places[number] = (y, y + line)
+        if number == chosen:
+            right = max(width - edge // 2, edge // 2)
+            draw.rectangle((edge // 2, y, right, y + line - 1), CHOSEN)
+        _draw_row(draw, rows[number], (edge, width - edge), y + line / 2, face)
+        y += line
+    if hidden := len(rows) - shown.stop:
+        places[shown.stop] = (y, y + line)
+        _announce(draw, hidden, False, (width - edge, y + line // 2), face)
+    return places
 
 
 def _announce(
@@ -128,3 +158,16 @@ def _announce(
     tip, foot = (y - half, y + half) if above else (y + half, y - half)
     draw.polygon(((x - half, foot), (x + half, foot), (x, tip)), KEYS)
     draw.text((x - 2 * half, y), str(count), KEYS, face, "rm")
+
+
+def _draw_row(
+    draw: ImageDraw.ImageDraw,
+    row: Row,
+    ends: tuple[int, int],
+    middle: float,
+    face: ImageFont.FreeTypeFont,
+) -> None:
+    """Draw a row between two ends: its text at the left, what is beside it at the right."""
+    left, right = ends
+    draw.text((left, middle), writable(row.text, face), WORDS, face, "lm")
+    draw.text((right, middle), writable(row.beside, face), KEYS, face, "rm")

@@ -21,6 +21,7 @@ SPACING = 1.3  # chosen: line height, in font sizes
 TITLE_PARTS = 0.27, 0.36
 CODE_LETTERS = (44, 66)  # chosen: of the window's height, as above
 LIST_LETTERS = (32, 62)  # chosen: likewise
+LIST_SPACING = 1.45  # chosen: line height of the list
 TEXT_LETTERS = (20, 48)  # chosen: likewise
 ITEM = "- "
 TAB = 4  # columns
@@ -52,21 +53,26 @@ def caption_image(
     pen = ImageDraw.Draw(image)
     title, text = writable(title, font(LEAST, True)), writable(text, font(LEAST))
     pixels, parts = _set(size, _sizes(height // LARGEST, _least(height)), title, text)
+    room = max(int((size[1] - pixels // 2) / (SPACING * pixels)), 1)
     for left, lines in parts:
-        room = max(int((size[1] - pixels // 2) / (SPACING * pixels)), 1)
-        if len(lines) > room:
-            last = lines[room - 1]
-            lines = [*lines[: room - 1], (f"{last[0]}…", *last[1:])]
+        lines = _cut_to(lines, room)
         y = (size[1] - _tall(lines, pixels)) / 2 if _beside(size) else pixels / 2
         for words, colour, bold in lines:
             pen.text((left, y), words, colour, font(pixels, bold), "la")
             y += SPACING * pixels
 
-    small = font(max(height // 60, LEAST))
-    corner = (size[0] - pixels // 2, size[1] - pixels // 3)
-    pen.text(corner, place, DIM, small, "rd")
-    pen.line((0, size[1] - 1, size[0], size[1] - 1), RULE, max(height // 400, 1))
+    _draw_place(pen, size, height, place, pixels)
     return np.asarray(image)
+
+
+def _draw_place(
+    pen: ImageDraw.ImageDraw, size: tuple[int, int], height: int, place: str, pixels: int
+) -> None:
+    """Draw the place in the lecture into the lower right corner, and the rule below it."""
+    width, low = size
+    small = font(max(height // 60, LEAST))
+    pen.text((width - pixels // 2, low - pixels // 3), place, DIM, small, "rd")
+    pen.line((0, low - 1, width, low - 1), RULE, max(height // 400, 1))
 
 
 def _sizes(largest: int, smallest: int) -> Iterator[int]:
@@ -141,6 +147,14 @@ def _tall(lines: Sequence[object], pixels: int) -> float:
     return len(lines) * SPACING * pixels
 
 
+def _cut_to(lines: Written, room: int) -> Written:
+    """Return at most ``room`` lines; where there are more, the last ends in "…"."""
+    if len(lines) <= room:
+        return lines
+    words, colour, bold = lines[room - 1]
+    return [*lines[: room - 1], (f"{words}…", colour, bold)]
+
+
 def code_image(
     size: tuple[int, int],
     name: str,
@@ -158,14 +172,10 @@ def code_image(
     if not marked and first is None:
         first = next((n for n, line in enumerate(source, 1) if line.startswith("def ")), 1)
     digits = len(str(len(source)))
-    strong = [source[number - 1] for number in marked]
-    for pixels in _sizes(height // CODE_LETTERS[0], max(height // CODE_LETTERS[1], LEAST)):
-        face = monospaced(pixels)
-        letter = face.getlength("0")
-        left = (digits + 2) * letter
-        if all(left + (len(line) + 1) * letter <= size[0] for line in strong):
-            break
-
+    pixels = _code_pixels(size, [source[number - 1] for number in marked], digits)
+    face = monospaced(pixels)
+    letter = face.getlength("0")
+    left = (digits + 2) * letter
     step = round(SPACING * pixels)
     image = Image.new("RGBA", size, (*PAPER, 255))
     pen = ImageDraw.Draw(image)
@@ -180,19 +190,33 @@ def code_image(
             pen.text((left, y), "⋯", NUMBER, face)
             y += step
             continue
-        line = source[number - 1]
-        if len(line) > columns:
-            line = f"{line[: columns - 1]}…"
         if number in marked:
             pen.rectangle((0, y - step // 8, size[0], y + step - step // 8 - 1), MARK)
             pen.rectangle((0, y - step // 8, letter / 2, y + step - step // 8 - 1), RULE)
         colour = STRONG if number in marked else COMMENT if number in quoted else CODE
         pen.text((letter, y), f"{number:{digits}}", NUMBER, face)
+        line = _shortened(source[number - 1], columns)
         pen.text((left, y), writable(line, face), colour, face)
         y += step
 
     pen.line((0, 0, 0, height), RULE, max(height // 400, 1))
     return np.asarray(image)
+
+
+def _code_pixels(size: tuple[int, int], strong: Sequence[str], digits: int) -> int:
+    """Return the size of letters in which the ``strong`` lines fit beside numbers of ``digits``."""
+    height = size[1]
+    for pixels in _sizes(height // CODE_LETTERS[0], max(height // CODE_LETTERS[1], LEAST)):
+        letter = monospaced(pixels).getlength("0")
+        left = (digits + 2) * letter
+        if all(left + (len(line) + 1) * letter <= size[0] for line in strong):
+            break
+    return pixels
+
+
+def _shortened(line: str, columns: int) -> str:
+    """Return a line of at most ``columns`` letters."""
+    return f"{line[: columns - 1]}…" if len(line) > columns else line
 
 
 def shown_rows(count: int, marked: Collection[int], room: int, first: int | None) -> list[int]:
@@ -231,6 +255,38 @@ class Listed:
         return None
 
 
+def _grid(size: tuple[int, int], count: int) -> tuple[int, int, int]:
+    """Return the size of the letters of a list of ``count`` steps, its rows and its columns."""
+    width, height = size
+    for pixels in _sizes(height // LIST_LETTERS[0], max(height // LIST_LETTERS[1], LEAST)):
+        line = round(LIST_SPACING * pixels)
+        rows = max((height - 6 * pixels) // line, 1)
+        columns = min(-(-count // rows), max(width // (36 * pixels), 1))
+        if rows * columns >= count:
+            return pixels, min(rows, -(-count // columns)), columns
+    return pixels, rows, columns
+
+
+def _draw_step(
+    pen: ImageDraw.ImageDraw,
+    step: tuple[str, str, str],
+    corner: tuple[int, int],
+    across: int,
+    pixels: int,
+    shown: bool,
+) -> None:
+    """Draw a step's number, title and name in a column that is ``across`` wide."""
+    number, what, name = step
+    x, y = corner
+    face, mono = font(pixels), monospaced(round(0.8 * pixels))
+    left = x + round(face.getlength(number)) + pixels
+    right = x + across - 2 * pixels - mono.getlength(name)
+    what = _cut(writable(what, face), face, right - left - pixels)
+    pen.text((x + pixels // 2, y + pixels // 6), number, RULE if shown else DIM, face)
+    pen.text((left, y + pixels // 6), what, TITLE if shown else WORDS, face)
+    pen.text((right, y + pixels // 3), name, DIM, mono)
+
+
 def steps_image(
     size: tuple[int, int],
     title: str,
@@ -244,14 +300,8 @@ def steps_image(
     In letters as large as fits; where even the smallest do not, it is the page with the chosen one.
     """
     width, height = size
-    for pixels in _sizes(height // LIST_LETTERS[0], max(height // LIST_LETTERS[1], LEAST)):
-        line = round(1.45 * pixels)
-        rows = max((height - 6 * pixels) // line, 1)
-        columns = min(-(-len(steps) // rows), max(width // (36 * pixels), 1))
-        if rows * columns >= len(steps):
-            break
-
-    rows = min(rows, -(-len(steps) // columns)) if rows * columns >= len(steps) else rows
+    pixels, rows, columns = _grid(size, len(steps))
+    line = round(LIST_SPACING * pixels)
     image = Image.new("RGBA", size, (*BAND, 252))
     pen = ImageDraw.Draw(image)
     bold, face = font(round(1.2 * pixels), True), font(pixels)
@@ -266,15 +316,7 @@ def steps_image(
         y = round(3.5 * pixels) + at % rows * line
         if index == chosen:
             pen.rectangle((x, y, x + across - pixels, y + line - 2), CHOSEN)
-        number, what, name = steps[index]
-        at_x = x + round(face.getlength(number)) + pixels
-        pen.text((x + pixels // 2, y + pixels // 6), number, RULE if index == now else DIM, face)
-        end = x + across - 2 * pixels
-        mono = monospaced(round(0.8 * pixels))
-        right = end - mono.getlength(name)
-        what = _cut(writable(what, face), face, right - at_x - pixels)
-        pen.text((at_x, y + pixels // 6), what, TITLE if index == now else WORDS, face)
-        pen.text((right, y + pixels // 3), name, DIM, mono)
+        _draw_step(pen, steps[index], (x, y), across, pixels, index == now)
         found.boxes.append((x, y, x + across, y + line, index))
 
     for line_ in wrapped(writable(foot, face), face, width - 2 * pixels)[:1]:
@@ -302,13 +344,8 @@ def still_image(size: tuple[int, int], height: int, pixels: np.ndarray) -> np.nd
     return np.asarray(image)
 
 
-def text_image(size: tuple[int, int], height: int, lines: Sequence[str]) -> np.ndarray:
-    """Render lines of text in a box of ``size``, in letters as large as fits.
-
-    A line that begins with "- " is an item of a list. ``height`` is the window's.
-    """
-    image = Image.new("RGBA", size, (*PAPER, 255))
-    pen = ImageDraw.Draw(image)
+def _text_pixels(size: tuple[int, int], height: int, lines: Sequence[str]) -> int:
+    """Return the size of the largest letters in which lines of text fit in a box."""
     for pixels in _sizes(height // TEXT_LETTERS[0], max(height // TEXT_LETTERS[1], LEAST)):
         face = font(pixels)
         inner = size[0] - 4 * pixels
@@ -316,7 +353,19 @@ def text_image(size: tuple[int, int], height: int, lines: Sequence[str]) -> np.n
         spaces = 0.5 * pixels * (len(lines) - 1)
         if _tall(rows, pixels) + spaces <= size[1] - 3 * pixels:
             break
+    return pixels
 
+
+def text_image(size: tuple[int, int], height: int, lines: Sequence[str]) -> np.ndarray:
+    """Render lines of text in a box of ``size``, in letters as large as fits.
+
+    A line that begins with "- " is an item of a list. ``height`` is the window's.
+    """
+    image = Image.new("RGBA", size, (*PAPER, 255))
+    pen = ImageDraw.Draw(image)
+    pixels = _text_pixels(size, height, lines)
+    face = font(pixels)
+    inner = size[0] - 4 * pixels
     y = 1.5 * pixels
     for line in lines:
         for indent, words in _rows_of(line, face, inner):
