@@ -7,6 +7,7 @@ shape itself: corners that cross, concave polygons, faces wound against their ne
 """
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -237,9 +238,9 @@ def _of_arrays(call: Call) -> Vertices | None:
 RADIUS = 64.0  # in which the shapes of GLUT are sought, in their own units; chosen
 
 
-def _of_shape(draw: Draw) -> Vertices | None:
-    """Return the vertices of a shape that a library draws, by OpenGL's feedback."""
-    size = 400_000
+@contextmanager
+def _all_in_view() -> Iterator[None]:
+    """Have the view's volume reach to RADIUS on all sides of the object, within the block."""
     gl.glPushAttrib(gl.GL_ALL_ATTRIB_BITS & ~gl.GL_CURRENT_BIT)
     gl.glMatrixMode(gl.GL_PROJECTION)
     gl.glPushMatrix()
@@ -253,17 +254,24 @@ def _of_shape(draw: Draw) -> Vertices | None:
     for name in ("CULL_FACE", "LIGHTING", "FOG"):
         gl.glDisable(getattr(gl, f"GL_{name}"))
     try:
-        buffer = np.zeros(size, np.float32)
-        gl.glFeedbackBuffer(size, gl.GL_3D, buffer)
-        gl.glRenderMode(gl.GL_FEEDBACK)
-        draw.issue()
-        result = gl.glRenderMode(gl.GL_RENDER)
+        yield
     finally:
         gl.glMatrixMode(gl.GL_MODELVIEW)
         gl.glPopMatrix()
         gl.glMatrixMode(gl.GL_PROJECTION)
         gl.glPopMatrix()
         gl.glPopAttrib()
+
+
+def _of_shape(draw: Draw) -> Vertices | None:
+    """Return the vertices of a shape that a library draws, by OpenGL's feedback."""
+    size = 400_000
+    with _all_in_view():
+        buffer = np.zeros(size, np.float32)
+        gl.glFeedbackBuffer(size, gl.GL_3D, buffer)
+        gl.glRenderMode(gl.GL_FEEDBACK)
+        draw.issue()
+        result = gl.glRenderMode(gl.GL_RENDER)
 
     points: list[tuple[float, ...]] = []
     faces: list[list[int]] = []
@@ -318,6 +326,19 @@ class Placed:
         return [name for name in PLANES if self.faces and self.whole[name] == self.faces]
 
 
+def _outside(clip: np.ndarray) -> dict[str, np.ndarray]:
+    """Return for each plane of the view's volume which points, (n, 4), are beyond it."""
+    x, y, z, w = clip.T
+    return {
+        "left": x < -w,
+        "right": x > w,
+        "below": y < -w,
+        "above": y > w,
+        "near": z < -w,
+        "far": z > w,
+    }
+
+
 def placed(found: Vertices, modelview: ArrayLike, projection: ArrayLike) -> Placed:
     """Return where the matrices, 16 numbers each in OpenGL's order, put the vertices."""
     model = np.array(modelview, np.float64).reshape(4, 4)
@@ -325,16 +346,7 @@ def placed(found: Vertices, modelview: ArrayLike, projection: ArrayLike) -> Plac
     with np.errstate(all="ignore"):
         eye = found.positions @ model
         clip = eye @ project
-        w = clip[:, 3]
-        out = {
-            "left": clip[:, 0] < -w,
-            "right": clip[:, 0] > w,
-            "below": clip[:, 1] < -w,
-            "above": clip[:, 1] > w,
-            "near": clip[:, 2] < -w,
-            "far": clip[:, 2] > w,
-        }
-
+        out = _outside(clip)
     groups = _by_size(found.faces[:MOST_FACES])
     whole = {
         name: sum(int(flags[faces].all(axis=1).sum()) for faces in groups)

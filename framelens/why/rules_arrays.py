@@ -401,15 +401,7 @@ def _indices(
     call = draw.call
     kind, indices = int(call.args[-2]), call.args[-1]
     if kind not in TYPES:
-        yield Suspect(
-            "index-type",
-            at=call,
-            change=None,
-            strength=40,
-            value=kind,
-            values={"call": written(call)},
-            pixels=1,
-        )
+        yield _unknown_type(call, kind)
         return
 
     wanted = np.dtype(TYPES[kind])
@@ -418,31 +410,48 @@ def _indices(
         upload, array = stored
         if array.dtype.itemsize != wanted.itemsize:
             converted = np.ascontiguousarray(array.astype(wanted))
-            refill = _refill(bound[ELEMENTS], converted, ELEMENTS)
-            yield Suspect(
-                "index-type",
-                at=upload,
-                change=Change(before={draw.place: [refill]}),
-                strength=95,
-                state="GL_ELEMENT_ARRAY_BUFFER",
-                value=str(array.dtype),
-                values={"dtype": str(array.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
-                draws=[draw],
-                source=assigned(survey, upload),
-            )
+            change = Change(before={draw.place: [_refill(bound[ELEMENTS], converted, ELEMENTS)]})
+            yield _index_type(survey, draw, upload, array, kind, change, 95)
     elif isinstance(indices, np.ndarray) and indices.dtype.itemsize != wanted.itemsize:
         converted = np.ascontiguousarray(indices.astype(wanted))
-        yield Suspect(
-            "index-type",
-            at=call,
-            change=Change(instead={draw.place: [(call.name, (*call.args[:-1], converted))]}),
-            strength=90,
-            state="GL_ELEMENT_ARRAY_BUFFER",
-            value=str(indices.dtype),
-            values={"dtype": str(indices.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
-            draws=[draw],
-            source=assigned(survey, call),
-        )
+        change = Change(instead={draw.place: [(call.name, (*call.args[:-1], converted))]})
+        yield _index_type(survey, draw, call, indices, kind, change, 90)
+
+
+def _unknown_type(call: Call, kind: int) -> Suspect:
+    """Suspect that a draw says a type of indices that there is not."""
+    return Suspect(
+        "index-type",
+        at=call,
+        change=None,
+        strength=40,
+        value=kind,
+        values={"call": written(call)},
+        pixels=1,
+    )
+
+
+def _index_type(
+    survey: Survey,
+    draw: Drawn,
+    at: Call,
+    array: np.ndarray,
+    kind: int,
+    change: Change,
+    strength: int,
+) -> Suspect:
+    """Suspect that indices have another type than a draw says, ``kind``."""
+    return Suspect(
+        "index-type",
+        at=at,
+        change=change,
+        strength=strength,
+        state="GL_ELEMENT_ARRAY_BUFFER",
+        value=str(array.dtype),
+        values={"dtype": str(array.dtype), "wanted": TYPES[kind], "type": TYPE_NAMES[kind]},
+        draws=[draw],
+        source=assigned(survey, at),
+    )
 
 
 def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.program.past import Past
+from framelens.why.geometry import Vertices
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import (
     Suspect,
@@ -356,35 +357,51 @@ LINES = ("GL_LINES", "GL_LINE_STRIP", "GL_LINE_LOOP", "GL_POINTS")
 WITH_VERTICES = ("glBegin", "glDrawArrays", "glDrawElements", "glDrawRangeElements")
 
 
+def _towards_the_eye(corners: np.ndarray, lensed: bool) -> np.ndarray | None:
+    """Return the unit normal of a face, (n, 3) in eye coordinates; None if it has none.
+
+    ``lensed``: whether the projection is a perspective.
+    """
+    if len(corners) < 3:
+        return None
+    a, b, c = corners[:3]
+    normal = np.cross(b - a, c - a)
+    length = float(np.linalg.norm(normal))
+    if not length:
+        return None
+    normal = normal / length
+    return -normal if normal @ (a if lensed else AHEAD) > 0 else normal
+
+
+def _normals(draw: Drawn, found: Vertices) -> dict[int, tuple[float, ...]]:
+    """Return for each vertex of a face the normal of the first face that it is of."""
+    matrix = matrix_of(draw, "GL_MODELVIEW")
+    eye = (found.positions @ matrix)[:, :3]
+    lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
+    normal_of: dict[int, tuple[float, ...]] = {}
+    for face in found.faces:
+        normal = _towards_the_eye(eye[face], lensed)
+        if normal is None:
+            continue
+        back = normal @ matrix[:3, :3].T
+        size = float(np.linalg.norm(back)) or 1.0
+        for k in face:
+            normal_of.setdefault(k, tuple((back / size).tolist()))
+    return normal_of
+
+
 def _with_normals(draws: Sequence[Drawn]) -> Change:
     """Return the change that draws each face with its own normal, towards the eye."""
     instead: dict[str, Sequence[Action]] = {}
     for draw in draws:
         found = draw.vertices
         assert found is not None
-        matrix = matrix_of(draw, "GL_MODELVIEW")
-        eye = (found.positions @ matrix)[:, :3]
-        normal_of: dict[int, tuple[float, ...]] = {}
-        for face in found.faces:
-            a, b, c = (eye[k] for k in face[:3]) if len(face) > 2 else (eye[0],) * 3
-            normal = np.cross(b - a, c - a)
-            length = float(np.linalg.norm(normal))
-            if not length:
-                continue
-            normal = normal / length
-            if normal @ (a if perspective(draw.state["GL_PROJECTION_MATRIX"]) else AHEAD) > 0:
-                normal = -normal
-            back = normal @ matrix[:3, :3].T
-            size = float(np.linalg.norm(back)) or 1.0
-            for k in face:
-                normal_of.setdefault(k, tuple((back / size).tolist()))
+        normal_of = _normals(draw, found)
         if found.places:
             for k, normal_ in normal_of.items():
-                step = next(s for s in draw.steps if s.place == found.places[k])
-                instead[found.places[k]] = [
-                    ("glNormal3f", normal_),
-                    (step.call.name, step.call.args),
-                ]
+                place = found.places[k]
+                call = next(step.call for step in draw.steps if step.place == place)
+                instead[place] = [("glNormal3f", normal_), (call.name, call.args)]
         else:
             instead[draw.place] = [_as_triangles(draw, normal_of)]
 
@@ -693,6 +710,31 @@ def _left_glowing(mine: Sequence[Drawn]) -> list[Drawn]:
 
 def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     """Yield that a material reflects nothing, or that a light gives none."""
+    yield from _black_material(mine)
+    for name in LIGHTS:
+        if not all(d.state[name] for d in mine):
+            continue
+        diffuse = [float(v) for v in mine[0].state[f"{name}.GL_DIFFUSE"]]
+        others = [other for other in LIGHTS if other != name]
+        alone = not any(d.state[other] for other in others for d in mine)
+        if max(diffuse[:3]) < 0.02 and alone:
+            actions: list[Action] = [
+                ("glLightfv", (cap(name), gl.GL_DIFFUSE, (1.0, 1.0, 1.0, 1.0)))
+            ]
+            yield Suspect(
+                "light-black",
+                at=mine[0].setter(f"{name}.GL_DIFFUSE"),
+                change=with_state(["LIGHTING"], actions, mine),
+                strength=80,
+                state=f"{name}.GL_DIFFUSE",
+                value=diffuse,
+                values={"light": name},
+                draws=mine,
+            )
+
+
+def _black_material(mine: Sequence[Drawn]) -> Iterator[Suspect]:
+    """Yield that a material reflects nothing."""
     dark = [
         d
         for d in mine
@@ -714,27 +756,6 @@ def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
             value=[float(v) for v in dark[0].state["GL_FRONT.GL_DIFFUSE"]],
             draws=dark,
         )
-
-    for name in LIGHTS:
-        if not all(d.state[name] for d in mine):
-            continue
-        diffuse = [float(v) for v in mine[0].state[f"{name}.GL_DIFFUSE"]]
-        others = [other for other in LIGHTS if other != name]
-        alone = not any(d.state[other] for other in others for d in mine)
-        if max(diffuse[:3]) < 0.02 and alone:
-            actions: list[Action] = [
-                ("glLightfv", (cap(name), gl.GL_DIFFUSE, (1.0, 1.0, 1.0, 1.0)))
-            ]
-            yield Suspect(
-                "light-black",
-                at=mine[0].setter(f"{name}.GL_DIFFUSE"),
-                change=with_state(["LIGHTING"], actions, mine),
-                strength=80,
-                state=f"{name}.GL_DIFFUSE",
-                value=diffuse,
-                values={"light": name},
-                draws=mine,
-            )
 
 
 def moving_light(survey: Survey) -> Iterator[Suspect]:

@@ -119,6 +119,15 @@ def _with_projection(survey: Survey, matrix: np.ndarray, mode: str = "GL_PROJECT
     return with_matrix("GL_PROJECTION", lambda d: matrix, survey.shapes)
 
 
+def _across(forward: np.ndarray) -> np.ndarray:
+    """Return an axis that can be up for who looks ``forward``, (3,)."""
+    if np.abs(forward[2]) < np.abs(forward[1]):
+        return np.array([0.0, 0.0, -1.0])
+    axis = np.zeros(3)
+    axis[int(np.argmin(np.abs(forward)))] = 1.0
+    return axis
+
+
 def _look_at(survey: Survey, note: GluCall, args: list[float]) -> Iterator[Suspect]:
     eye, center, up = np.array(args).reshape(3, 3)
     forward = center - eye
@@ -126,15 +135,11 @@ def _look_at(survey: Survey, note: GluCall, args: list[float]) -> Iterator[Suspe
     parallel = length > 0 and np.linalg.norm(np.cross(forward, up)) < 1e-4 * length
     if not (parallel or length == 0):
         return
-    axis = np.zeros(3)
     if length > 0:
-        axis[int(np.argmin(np.abs(forward)))] = 1.0
-        if np.abs(forward[2]) < np.abs(forward[1]):
-            axis = np.array([0.0, 0.0, -1.0])
+        axis = _across(forward)
     else:
         axis = up if np.linalg.norm(up) else np.array([0.0, 1.0, 0.0])
         center = eye + np.array([0.0, 0.0, -1.0]) if not np.linalg.norm(forward) else center
-
     better = (*eye.tolist(), *center.tolist(), *axis.tolist())
     yield Suspect(
         "look-at-up" if parallel else "look-at-nowhere",

@@ -198,6 +198,31 @@ def _units(survey: Survey, mine: list[Drawn], values: dict[str, float]) -> Itera
         )
 
 
+def _not_undone(mine: list[Drawn], name: str, change: Change, values: dict[str, float]) -> Suspect:
+    """Suspect that the transformations of the function ``name`` are not undone."""
+    chain = mine[0].setters.chained["GL_MODELVIEW_MATRIX"]
+    return Suspect(
+        "not-undone",
+        at=next(call for call in chain if call.site.function == name),
+        change=change,
+        strength=72,
+        state="GL_MODELVIEW_MATRIX",
+        values=values | {"function": name},
+        draws=mine,
+        appear=True,
+    )
+
+
+def _into_view(mine: Sequence[Drawn]) -> np.ndarray:
+    """Return the matrix that moves what is drawn in front of the eye, (4, 4), for rows."""
+    moved = np.eye(4)
+    points = np.concatenate([d.placed.eye[:, :3] for d in mine if d.placed is not None])
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    size = float(np.ptp(points, axis=0).max())
+    moved[3, :3] = [-middle[0], -middle[1], -middle[2] - max(size, 1.0) * 2.0]
+    return moved
+
+
 def _beside(survey: Survey, mine: list[Drawn], values: dict[str, float]) -> Iterator[Suspect]:
     """Yield that a function's transformations are not undone, and push others out of the view."""
     chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
@@ -210,25 +235,9 @@ def _beside(survey: Survey, mine: list[Drawn], values: dict[str, float]) -> Iter
     for name in sorted(names - loading):
         change = undone(survey, name)
         if change is not None:
-            chain = mine[0].setters.chained["GL_MODELVIEW_MATRIX"]
-            call = next(c for c in chain if c.site.function == name)
-            yield Suspect(
-                "not-undone",
-                at=call,
-                change=change,
-                strength=72,
-                state="GL_MODELVIEW_MATRIX",
-                values=values | {"function": name},
-                draws=mine,
-                appear=True,
-            )
-
+            yield _not_undone(mine, name, change, values)
     if survey.empty:
-        moved = np.eye(4)
-        points = np.concatenate([d.placed.eye[:, :3] for d in mine if d.placed is not None])
-        middle = (points.min(axis=0) + points.max(axis=0)) / 2
-        size = float(np.ptp(points, axis=0).max())
-        moved[3, :3] = [-middle[0], -middle[1], -middle[2] - max(size, 1.0) * 2.0]
+        moved = _into_view(mine)
         chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])
         at = at_of(survey, chain[-1]) if chain else mine[0].call
         yield Suspect(

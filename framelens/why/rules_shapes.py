@@ -332,14 +332,19 @@ def _area(*corners: np.ndarray) -> float:
     return float(np.linalg.norm(total))
 
 
-def _concave(survey: Survey, draw: Drawn, found: Vertices, bad: Sequence[int]) -> Suspect:
-    """Suspect polygons that are not convex; the change draws them as triangles that are."""
-    triangles = [
+def _triangles(found: Vertices, bad: Sequence[int]) -> list[tuple[float, ...]]:
+    """Return the corners of the triangles that make up some faces."""
+    return [
         tuple(found.positions[k].tolist())
         for index in bad
         for triangle in ears(found.positions[found.faces[index]][:, :3])
         for k in (found.faces[index][j] for j in triangle)
     ]
+
+
+def _concave(survey: Survey, draw: Drawn, found: Vertices, bad: Sequence[int]) -> Suspect:
+    """Suspect polygons that are not convex; the change draws them as triangles that are."""
+    triangles = _triangles(found, bad)
     good = [k for k in range(len(found.faces)) if k not in set(bad)]
 
     def act() -> None:
@@ -368,30 +373,36 @@ def _concave(survey: Survey, draw: Drawn, found: Vertices, bad: Sequence[int]) -
     )
 
 
+def _flattened(points: np.ndarray) -> np.ndarray:
+    """Return a flat polygon, (n, 3), seen along the axis to which it is turned most, (n, 2)."""
+    normal = sum(np.cross(points[k], points[(k + 1) % len(points)]) for k in range(len(points)))
+    return np.delete(points, int(np.argmax(np.abs(normal))), axis=1)
+
+
+def _is_ear(flat: np.ndarray, left: Sequence[int], corner: tuple[int, int, int]) -> bool:
+    """Return whether a corner of a polygon is convex, and no other point of it is within."""
+    a, b, c = corner
+    if _turn(flat[a], flat[b], flat[c]) <= 0:
+        return False
+    others = (k for k in left if k not in corner)
+    return not any(_within(flat[k], flat[a], flat[b], flat[c]) for k in others)
+
+
 def ears(points: np.ndarray) -> list[tuple[int, int, int]]:
     """Cut a flat polygon, (n, 3), into triangles of its corners, ear by ear."""
-    normal = sum(np.cross(points[k], points[(k + 1) % len(points)]) for k in range(len(points)))
-    axis = int(np.argmax(np.abs(normal)))
-    flat = np.delete(points, axis, axis=1)
+    flat = _flattened(points)
     left = list(range(len(flat)))
     area = sum(flat[k - 1][0] * flat[k][1] - flat[k][0] * flat[k - 1][1] for k in range(len(flat)))
     if area < 0:
         left.reverse()
     found = []
     while len(left) > 3:
-        for at in range(len(left)):
-            a = left[at - 1]
-            b = left[at]
-            c = left[(at + 1) % len(left)]
-            if _turn(flat[a], flat[b], flat[c]) <= 0:
-                continue
-            others = (k for k in left if k not in (a, b, c))
-            if not any(_within(flat[k], flat[a], flat[b], flat[c]) for k in others):
-                found.append((a, b, c))
-                del left[at]
-                break
-        else:
+        corners = ((left[at - 1], left[at], left[(at + 1) % len(left)]) for at in range(len(left)))
+        ear = next((each for each in corners if _is_ear(flat, left, each)), None)
+        if ear is None:
             break
+        found.append(ear)
+        left.remove(ear[1])
 
     return [*found, (left[0], left[1], left[2])]
 

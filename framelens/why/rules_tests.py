@@ -524,6 +524,20 @@ def all_fogged(survey: Survey) -> Iterator[Suspect]:
         yield from _fogged(survey, mine)
 
 
+def _deep(shapes: list[Drawn]) -> list[Drawn]:
+    """Return what is drawn in perspective; if nothing is, what is at several depths."""
+    solid = [draw for draw in shapes if perspective(draw.state["GL_PROJECTION_MATRIX"])]
+    return solid or [d for d in shapes if d.placed is not None and np.ptp(d.placed.clip[:, 2]) > 0]
+
+
+def _with_depth_cleared(cleared: Sequence[Drawn]) -> Change:
+    """Return the change that clears the depth where colours are cleared, or as the frame begins."""
+    color = int(gl.GL_COLOR_BUFFER_BIT)
+    after = cleared[-1].place if cleared and int(cleared[-1].call.args[0]) & color else ""
+    clear: list[Action] = [("glClear", (gl.GL_DEPTH_BUFFER_BIT,))]
+    return Change(after={after: clear}) if after else Change(first=clear)
+
+
 def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
     """No depth test in a frame with depth: what is drawn later lies on top."""
     shapes = survey.shapes
@@ -531,12 +545,11 @@ def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
         return
     if survey.past is not None and survey.past.first.get("GL_DEPTH_TEST"):
         return  # it was on in the first frame: an earlier one has left it off
-    solid = [draw for draw in shapes if perspective(draw.state["GL_PROJECTION_MATRIX"])]
-    solid = solid or [d for d in shapes if d.placed is not None and np.ptp(d.placed.clip[:, 2]) > 0]
+    solid = _deep(shapes)
     if not solid:
         return
-    bit = int(gl.GL_DEPTH_BUFFER_BIT)
-    clears = [d for d in survey.draws if d.call.name == "glClear" and int(d.call.args[0]) & bit]
+    cleared = [d for d in survey.draws if d.call.name == "glClear"]
+    clears = any(int(d.call.args[0]) & int(gl.GL_DEPTH_BUFFER_BIT) for d in cleared)
     actions: list[Action] = [
         ("glEnable", (gl.GL_DEPTH_TEST,)),
         ("glDepthFunc", (gl.GL_LEQUAL,)),
@@ -544,12 +557,7 @@ def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
     ]
     change = with_state(["ENABLE", "DEPTH_BUFFER"], actions, solid)
     if not clears:
-        color = int(gl.GL_COLOR_BUFFER_BIT)
-        cleared = [d for d in survey.draws if d.call.name == "glClear"]
-        after = cleared[-1].place if cleared and int(cleared[-1].call.args[0]) & color else ""
-        clear = [("glClear", (gl.GL_DEPTH_BUFFER_BIT,))]
-        change |= Change(after={after: clear}) if after else Change(first=clear)
-
+        change |= _with_depth_cleared(cleared)
     area = survey.base.shape[0] * survey.base.shape[1]
     yield Suspect(
         "no-depth-test",

@@ -5,6 +5,7 @@ glBegin and glEnd, and how the frame is shown.
 """
 
 from collections.abc import Iterator, Sequence
+from itertools import takewhile
 
 import numpy as np
 
@@ -138,39 +139,33 @@ def begin_and_end(survey: Survey) -> Iterator[Suspect]:
         )
 
 
+def _no_end(survey: Survey, begin: Step, last: Step, broken_off: bool) -> Suspect:
+    """Suspect that a glBegin has no glEnd; nothing mends it where the program was broken off."""
+    return Suspect(
+        "no-end",
+        at=last.call,
+        change=None if broken_off else Change(after={last.place: [("glEnd", ())]}),
+        strength=96,
+        pixels=survey.base.shape[0] * survey.base.shape[1],
+        values={"begin": begin.call.site.line, "function": last.call.site.function},
+    )
+
+
 def _within(
     survey: Survey, steps: Sequence[Step], index: int, begin: Step, last: Step
 ) -> Iterator[Suspect]:
     step = steps[index]
-    ended = False
-    for later in steps[index:]:
-        if later.call.name == "glBegin":
-            break
-        if later.call.name == "glEnd":
-            ended = True
-            break
-
+    following = (later.call.name for later in steps[index:])
+    ended = next((name for name in following if name in ("glBegin", "glEnd")), "") == "glEnd"
     if not ended or step.call.name == "glBegin":
         broken_off = survey.past is not None and survey.past.error is not None and not ended
-        yield Suspect(
-            "no-end",
-            at=last.call,
-            change=None if broken_off else Change(after={last.place: [("glEnd", ())]}),
-            strength=96,
-            pixels=survey.base.shape[0] * survey.base.shape[1],
-            values={"begin": begin.call.site.line, "function": last.call.site.function},
-        )
+        yield _no_end(survey, begin, last, broken_off)
         return
 
-    moved, instead = [], {}
-    for later in steps[index:]:
-        name = later.call.name
-        if name == "glEnd":
-            break
-        if not name.startswith(INSIDE):
-            moved.append((name, later.call.args))
-            instead[later.place] = ()
-
+    until_end = takewhile(lambda later: later.call.name != "glEnd", steps[index:])
+    strange = [later for later in until_end if not later.call.name.startswith(INSIDE)]
+    moved = [(later.call.name, later.call.args) for later in strange]
+    instead: dict[str, Sequence[Action]] = {later.place: () for later in strange}
     yield Suspect(
         "inside-begin",
         at=step.call,
