@@ -22,21 +22,27 @@ class ScreenPicture:
         self._texture: Texture | None = None
 
     @drawing("picture")
-    def draw(self, rgba: np.ndarray) -> None:
-        """Draw a picture, uint8 (h, w, 4), its top row first, over the whole viewport."""
-        begin_pass("main")
-        height, width = rgba.shape[:2]
+    def _roomy(self, width: int, height: int) -> Texture:
+        """Return the texture, whose sides are powers of two that have room for a picture."""
         wide, high = (1 << max(side - 1, 0).bit_length() for side in (width, height))
         if self._texture is None or self._size != (wide, high):
             self.release()
             empty = np.zeros((high, wide, 4), np.uint8)
             self._texture = Texture(empty, repeat=False, mipmaps=False)
             self._size = wide, high
+        return self._texture
+
+    def draw(self, rgba: np.ndarray) -> None:
+        """Draw a picture, uint8 (h, w, 4), its top row first, over the whole viewport."""
+        begin_pass("main")
+        height, width = rgba.shape[:2]
+        texture = self._roomy(width, height)
+        wide, high = self._size
 
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), flat_projection(0, 1, 0, 1, -1, 1):
             gl.glDisable(gl.GL_DEPTH_TEST)
             gl.glEnable(gl.GL_TEXTURE_2D)
-            self._texture.bind()
+            texture.bind()
             gl.glTexSubImage2D(
                 gl.GL_TEXTURE_2D,
                 0,

@@ -102,6 +102,22 @@ def _held_times(run: Run, pygame: ModuleType) -> Iterator[tuple[object, object]]
     yield times.delay, wait
 
 
+def _tried(run: Run, pygame: ModuleType, driver: str, platform: str) -> str:
+    """Open a window with a driver of SDL, and bind PyOpenGL to it; return why it fails, or ""."""
+    if driver != "native":
+        os.environ["SDL_VIDEODRIVER"] = driver
+    try:
+        pygame.display.quit()
+        pygame.display.init()
+        pygame.display.set_mode((16, 16), pygame.OPENGL | pygame.HIDDEN)
+        use_platform(platform, run.source.checked)
+    except (pygame.error, NoOpenGLError) as error:
+        return f"{driver}: {error}"
+    finally:
+        pygame.display.quit()
+    return ""
+
+
 def _choose(run: Run, pygame: ModuleType) -> str:
     """Choose SDL's driver and bind PyOpenGL to the same; return the backend's name."""
     if run.live is not None:
@@ -132,18 +148,10 @@ def _choose(run: Run, pygame: ModuleType) -> str:
         if not driver:
             reasons.append(reason or "SDL has no EGL on this system")
             continue
-        if driver != "native":
-            os.environ["SDL_VIDEODRIVER"] = driver
-        try:
-            pygame.display.quit()
-            pygame.display.init()
-            pygame.display.set_mode((16, 16), pygame.OPENGL | pygame.HIDDEN)
-            use_platform(platform, run.source.checked)
+        refusal = _tried(run, pygame, driver, platform)
+        if not refusal:
             return backend
-        except (pygame.error, NoOpenGLError) as error:
-            reasons.append(f"{driver}: {error}")
-        finally:
-            pygame.display.quit()
+        reasons.append(refusal)
 
     why = "; ".join(reasons)
     raise NoOpenGLError(

@@ -217,10 +217,8 @@ class Run:
         window.early, window.early_calls = self._early, self.early_calls
         window.showing = self.showing
         opened_by = chain(sys._getframe(1), str(self.source.path))
-        for early, here in zip(self._early_chain, opened_by, strict=False):
-            if early != here:
-                window.early_line = early[1]
-                break
+        both = zip(self._early_chain, opened_by, strict=False)
+        window.early_line = next((early[1] for early, here in both if early != here), 0)
 
         use_lists({})
         if gl.glGetString(gl.GL_VERSION) is None:
@@ -230,14 +228,7 @@ class Run:
         if window.hidden and WindowFramebuffer.possible():
             self.framebuffer = WindowFramebuffer(window.size(), window.double_buffered)
         window.core_profile = bool(profile_mask() & 1)
-        if window.core_profile:
-            self.notice(
-                "asks for a core profile, which has no fixed function; its calls are shown, but "
-                "not what shaders do"
-            )
-
-        if self.source.past:
-            self.notice(f"calls of OpenGL by {self.source.past}, past PyOpenGL, are not seen")
+        self._tell_what_is_not_seen(window)
         with self._watched():
             self._observer.opened(window)
             self._observer.frame_began(0)
@@ -245,6 +236,16 @@ class Run:
             name, line = self._early
             opening = self.source.opening
             self.notice(f"line {line}: {name} is called before {opening}, so it has no effect")
+
+    def _tell_what_is_not_seen(self, window: Window) -> None:
+        """Give notice of shaders, and of calls past PyOpenGL."""
+        if window.core_profile:
+            self.notice(
+                "asks for a core profile, which has no fixed function; its calls are shown, but "
+                "not what shaders do"
+            )
+        if self.source.past:
+            self.notice(f"calls of OpenGL by {self.source.past}, past PyOpenGL, are not seen")
 
     def closed(self) -> None:
         """Note that the window is about to be closed."""

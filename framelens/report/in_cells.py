@@ -87,19 +87,23 @@ def pixel(language: str, name: str, place: tuple[int, int], rows: Sequence[Pixel
     keys = "number", "code", "pixel.outcome", "pixel.arithmetic", "pixel.after"
     words = "".join(f"<th>{escape(text(language, key))}</th>" for key in keys)
     lines.append(f'<div class="calls"><table><thead><tr>{words}</tr></thead><tbody>')
-    for row in rows:
-        color = row.pixel.color
-        where = f"{element(language, row.step.elements[0])}, {row.call.source}"
-        swatch = f'<i class="swatch" style="background:rgb{tuple(color[:3])}"></i>'
-        lines.append(
-            f"<tr><td>{escape(row.step.place)}</td>"
-            f"<td>{escape(as_code(row.call))}<br>{escape(where)}</td>"
-            f'<td class="words">{escape(text(language, f"outcome.{row.outcome}"))}</td>'
-            f"<td>{'<br>'.join(map(escape, row.arithmetic.split('; ')))}</td>"
-            f"<td>{swatch}{' '.join(map(str, color))}</td></tr>"
-        )
+    lines += [_fragment_row(language, row) for row in rows]
     lines.append("</tbody></table></div>")
     return fragment(lines)
+
+
+def _fragment_row(language: str, row: PixelRow) -> str:
+    """Return a row of a pixel's table: what drew, what became of it, and the colour after it."""
+    color = row.pixel.color
+    where = f"{element(language, row.step.elements[0])}, {row.call.source}"
+    swatch = f'<i class="swatch" style="background:rgb{tuple(color[:3])}"></i>'
+    return (
+        f"<tr><td>{escape(row.step.place)}</td>"
+        f"<td>{escape(as_code(row.call))}<br>{escape(where)}</td>"
+        f'<td class="words">{escape(text(language, f"outcome.{row.outcome}"))}</td>'
+        f"<td>{'<br>'.join(map(escape, row.arithmetic.split('; ')))}</td>"
+        f"<td>{swatch}{' '.join(map(str, color))}</td></tr>"
+    )
 
 
 def paragraphs(lines: Iterable[str]) -> str:

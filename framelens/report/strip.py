@@ -120,6 +120,15 @@ def _page(tape: Tape, parts: Sequence[Group], name: str, request: Request) -> tu
     return page, found
 
 
+def _picture(
+    request: Request, tones: Tones, name: str, buffer: np.ndarray | None
+) -> Image.Image | str:
+    """Return the picture of a buffer, or why there is none."""
+    if buffer is None:
+        return text(request.language, "uncounted" if name == "overdraw" else "lacking")
+    return tones.picture(name, buffer)
+
+
 def _cells(
     tape: Tape, parts: Sequence[Group], request: Request, found: Survey, tones: Tones
 ) -> Iterator[Cell]:
@@ -135,14 +144,7 @@ def _cells(
         if layers := tones.layers(shot):
             lines.append(layers)
         calls = _calls(shot.group, request)
-        pictures: list[Image.Image | str] = []
-        for name in request.buffers:
-            buffer = shot.buffers[name]
-            missing = "uncounted" if name == "overdraw" else "lacking"
-            pictures.append(
-                text(request.language, missing) if buffer is None else tones.picture(name, buffer)
-            )
-
+        pictures = [_picture(request, tones, name, shot.buffers[name]) for name in request.buffers]
         label = str(index + 1)
         if request.by == "draw":
             label = shot.group.draws[0].first.place

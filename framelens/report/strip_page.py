@@ -81,10 +81,14 @@ def scaled(picture: Image.Image | str, box: tuple[int, int], sharp: bool) -> Ima
     if isinstance(picture, Image.Image):
         plate.paste(picture, ((box[0] - picture.width) // 2, (box[1] - picture.height) // 2))
         return plate
-    face = font(max(11, min(15, box[0] // 16)))
-    place = (box[0] / 2, box[1] / 2)
-    ImageDraw.Draw(plate).text(place, writable(picture, face), GREY, face, "mm")
+    _draw_in_the_middle(plate, picture)
     return plate
+
+
+def _draw_in_the_middle(plate: Image.Image, words: str) -> None:
+    face = font(max(11, min(15, plate.width // 16)))
+    place = (plate.width / 2, plate.height / 2)
+    ImageDraw.Draw(plate).text(place, writable(words, face), GREY, face, "mm")
 
 
 def wrapped(text: str, face: ImageFont.FreeTypeFont, width: int, most: int = 2) -> list[str]:

@@ -78,9 +78,16 @@ def _step(
     indent = round(title.getlength(label))
     pen.text((x, y), label, GREY, title, "la")
     pen.text((x + indent, y), wrapped(cell.title, title, box[0] - indent, 1)[0], INK, title, "la")
-    y += round(SPACING * large)
-    face = font(small)
-    lines = [line for text in (*cell.lines, cell.calls) for line in wrapped(text, face, box[0])]
+    _draw_lines(cell, pen, (x, y + round(SPACING * large)), box[0], small)
+
+
+def _draw_lines(
+    cell: Cell, pen: ImageDraw.ImageDraw, corner: tuple[int, int], width: int, pixels: int
+) -> None:
+    """Draw the first lines below a step's title."""
+    x, y = corner
+    face = font(pixels)
+    lines = [line for text in (*cell.lines, cell.calls) for line in wrapped(text, face, width)]
     for line in lines[:LINES]:
         pen.text((x, y), line, GREY, face, "la")
-        y += round(SPACING * small)
+        y += round(SPACING * pixels)

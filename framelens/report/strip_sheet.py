@@ -44,21 +44,19 @@ def as_png(page: Page, cells: Iterable[Cell]) -> bytes:
     head = _head(page, max(inner, 2 * side))
     rows = [blocks[k : k + columns] for k in range(0, len(blocks), columns)]
     heights = [max(block.height for block in row) for row in rows]
-    sheet = Image.new(
-        "RGB",
-        (
-            max(inner, head.width) + 2 * MARGIN,
-            head.height + sum(heights) + GAP * len(rows) + 2 * MARGIN - GAP,
-        ),
-        PAPER,
-    )
+    across = max(inner, head.width) + 2 * MARGIN
+    down = head.height + sum(heights) + GAP * (len(rows) - 1) + 2 * MARGIN
+    sheet = Image.new("RGB", (across, down), PAPER)
     sheet.paste(head, (MARGIN, MARGIN))
     y = MARGIN + head.height
     for row, height in zip(rows, heights, strict=True):
         for index, block in enumerate(row):
             sheet.paste(block, (MARGIN + index * (width + GAP), y))
         y += height + GAP
+    return _png(sheet)
 
+
+def _png(sheet: Image.Image) -> bytes:
     buffer = io.BytesIO()
     sheet.save(buffer, "PNG", compress_level=1)
     return buffer.getvalue()

@@ -137,15 +137,7 @@ def restore(state: Values) -> None:
     target = {**now, **{name: value for name, value in state.items() if name in now}}
 
     # The attribute stacks share no variable: first the one is built, then the other on top of it.
-    server_bottom, client_bottom = (
-        {
-            name: value
-            for level in reversed(levels or ())
-            for name, value in level["saved"].items()
-            if name in now
-        }
-        for levels in (server, client)
-    )
+    server_bottom, client_bottom = (_bottom(levels, now) for levels in (server, client))
     apply(now, {**target, **server_bottom, **client_bottom})
     if server is not None:
         _push_again(SERVER, server, now, {**target, **client_bottom})
@@ -155,14 +147,29 @@ def restore(state: Values) -> None:
         for _ in range(state.get(f"{stack}_DEPTH", 0) - whole(f"{stack}_DEPTH")):
             getattr(raw, PUSH[stack])(0)
     if error := raw.glGetError():
-        _drop_errors()
-        left = difference(target, _values(read_now()))
-        what = ", ".join(name for name in left if "POINTER" not in name)
-        raise StateError(
-            "OpenGL refused a value (error 0x{error:04X}): {what}",
-            error=error,
-            what=what or "unknown",
-        )
+        raise _refusal(error, target)
+
+
+def _bottom(levels: Sequence[Mapping[str, Values]] | None, now: Values) -> dict[str, object]:
+    """Return the values at the bottom of a stack of attributes, of variables that there are now."""
+    return {
+        name: value
+        for level in reversed(levels or ())
+        for name, value in level["saved"].items()
+        if name in now
+    }
+
+
+def _refusal(error: int, target: Values) -> StateError:
+    """Return the error that names what is not as in ``target``."""
+    _drop_errors()
+    left = difference(target, _values(read_now()))
+    what = ", ".join(name for name in left if "POINTER" not in name)
+    return StateError(
+        "OpenGL refused a value (error 0x{error:04X}): {what}",
+        error=error,
+        what=what or "unknown",
+    )
 
 
 def _close() -> None:

@@ -122,19 +122,24 @@ def _in_eye_space(name: str) -> bool:
     return name.endswith((".equation", ".GL_POSITION", ".GL_SPOT_DIRECTION", ".GL_EYE_PLANE"))
 
 
+def _set_in_eye_space(now: State, target: Values) -> None:
+    """Set places of lights, planes and the like, which the matrix changes, under the identity."""
+    placed = [name for name in now if _in_eye_space(name) and now[name] != target[name]]
+    if not placed:
+        return
+    raw.glMatrixMode(enum("GL_MODELVIEW"))
+    raw.glLoadIdentity()
+    now["GL_MODELVIEW_MATRIX"] = list(IDENTITY)
+    for name in placed:
+        variable = VARIABLES[name]
+        if variable.unit is not None:
+            raw.glActiveTexture(enum(UNITS[variable.unit]))
+        _call(variable, target)
+
+
 def _set_stacks(now: State, target: Values) -> None:
     """Set what is in eye space, under the identity, and then the matrix stacks."""
-    placed = [name for name in now if _in_eye_space(name) and now[name] != target[name]]
-    if placed:
-        raw.glMatrixMode(enum("GL_MODELVIEW"))
-        raw.glLoadIdentity()
-        now["GL_MODELVIEW_MATRIX"] = list(IDENTITY)
-        for name in placed:
-            variable = VARIABLES[name]
-            if variable.unit is not None:
-                raw.glActiveTexture(enum(UNITS[variable.unit]))
-            _call(variable, target)
-
+    _set_in_eye_space(now, target)
     stacks = [name for name in now if name.endswith("_STACK") and "ATTRIB" not in name]
     for name in stacks:
         variable, top = VARIABLES[name], name.replace("_STACK", "_MATRIX")

@@ -24,6 +24,13 @@ def token(value: Any, *families: Sequence[str]) -> str:
     return str(plain(value))
 
 
+COMBINED: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
+    "GL_FUNC_ADD": lambda source, before: source + before,
+    "GL_FUNC_SUBTRACT": lambda source, before: source - before,
+    "GL_FUNC_REVERSE_SUBTRACT": lambda source, before: before - source,
+}
+"""The equations of blending, of a source and what was there, each times its factor."""
+
 COMPARISONS = (
     *("GL_NEVER", "GL_LESS", "GL_EQUAL", "GL_LEQUAL", "GL_GREATER", "GL_NOTEQUAL", "GL_GEQUAL"),
     "GL_ALWAYS",
@@ -90,29 +97,24 @@ class Blend:
         result = np.where(self.mask, result, before)
         return result, f"{text} = {colour(result, 4)}"
 
-    def _blend(self, source: np.ndarray, before: np.ndarray) -> tuple[np.ndarray, str]:
+    def _weights(self, k: int, source: np.ndarray, before: np.ndarray) -> np.ndarray:
+        """Return the factors of the source (0) or of what was there (1), RGBA."""
         assert self.factors is not None
-        first, second = (
-            np.append(
-                _factor(self.factors[k], source, before, self.constant)[:3],
-                _factor(self.factors[k + 2], source, before, self.constant)[3],
-            )
-            for k in (0, 1)
+        return np.append(
+            _factor(self.factors[k], source, before, self.constant)[:3],
+            _factor(self.factors[k + 2], source, before, self.constant)[3],
         )
 
-        apply: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
-            "GL_FUNC_ADD": lambda a, b: a + b,
-            "GL_FUNC_SUBTRACT": lambda a, b: a - b,
-            "GL_FUNC_REVERSE_SUBTRACT": lambda a, b: b - a,
-        }
+    def _blend(self, source: np.ndarray, before: np.ndarray) -> tuple[np.ndarray, str]:
+        first, second = (self._weights(k, source, before) for k in (0, 1))
         rgb, alpha = self.equations
         if rgb in ("GL_MIN", "GL_MAX"):
             least = np.minimum if rgb == "GL_MIN" else np.maximum
             return least(source, before), f"{rgb} of {colour(source)} and {colour(before)}"
 
         terms = first * source, second * before
-        result = apply.get(rgb, np.add)(*terms)
-        result[3] = apply.get(alpha, np.add)(*terms)[3]
+        result = COMBINED.get(rgb, np.add)(*terms)
+        result[3] = COMBINED.get(alpha, np.add)(*terms)[3]
 
         sides = [
             f"{_weight(weight)} x {colour(value)}"

@@ -148,6 +148,12 @@ class Shot:
     buffers: dict[str, np.ndarray | None]
 
 
+def _ends(depth: np.ndarray | None) -> list[float]:
+    """Return the least and the greatest depth of what is drawn; nothing if nothing is."""
+    drawn = depth[depth < 1.0] if depth is not None else np.empty(0)
+    return [float(drawn.min()), float(drawn.max())] if drawn.size else []
+
+
 def survey(tape: Tape, parts: Sequence[Group], buffers: Sequence[str]) -> Survey:
     """Draw the frame once, in its context, to learn what ``buffers`` need."""
     if not {"depth", "overdraw"} & set(buffers):
@@ -174,10 +180,7 @@ def survey(tape: Tape, parts: Sequence[Group], buffers: Sequence[str]) -> Survey
                     counted.count(item.first.call, draw)
             layers.append(None if counted is None else _packed(counted.read()))
             if "depth" in buffers and not group.aside:
-                depth = read_depth(group.target, (0, 0, *tape.size))
-                drawn = depth[depth < 1.0] if depth is not None else np.empty(0)
-                if drawn.size:
-                    depths += [float(drawn.min()), float(drawn.max())]
+                depths += _ends(read_depth(group.target, (0, 0, *tape.size)))
     finally:
         player.release()
         tape.rewind()
