@@ -6,6 +6,7 @@ truncated ASCII files, refuses some files that Blender writes, and takes longer 
 
 import re
 from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -160,6 +161,33 @@ def parse_ply(data: bytes) -> Ply:
         raise ValueError(str(error)) from None
 
 
+def _vertices(
+    columns: Mapping[str, np.ndarray],
+) -> tuple[np.ndarray, np.ndarray | None, np.ndarray | None]:
+    """Return the places of vertices, and their colours and texture coordinates if they have any."""
+    if not {"x", "y", "z"} <= columns.keys():
+        raise ValueError("its vertices lack x, y or z")
+    colours = coordinates = None
+    if set(COLOURS) <= columns.keys():
+        stacked = np.stack([columns[name] for name in COLOURS], axis=1)
+        colours = np.clip(np.nan_to_num(stacked), 0, 255).astype(np.uint8)
+    if {"s", "t"} <= columns.keys():
+        stacked = np.stack([columns[name] for name in "st"], axis=1)
+        coordinates = np.nan_to_num(stacked).astype(np.float32)
+    return np.stack([columns[axis] for axis in "xyz"], axis=1), colours, coordinates
+
+
+def _triangles(
+    columns: Mapping[str, np.ndarray | list[np.ndarray]], element: _Element
+) -> np.ndarray:
+    """Return the triangles of the faces, which are a list of vertices each."""
+    lists = [name for name, _, counter in element.properties if counter is not None]
+    known = [name for name in lists if name in ("vertex_indices", "vertex_index")]
+    if len(known or lists) != 1:
+        raise ValueError("its faces have no list named vertex_indices")
+    return _fans(columns[(known or lists)[0]])
+
+
 def _parse_ply(data: bytes) -> Ply:
     end = re.search(rb"[\r\n]end_header[ \t]*(\r\n|\n|\r|$)", data[:LONGEST_HEADER])
     if end is None:
@@ -175,21 +203,9 @@ def _parse_ply(data: bytes) -> Ply:
     for element in _elements(header):
         columns, at = _columns(body, at, element)
         if element.name == "vertex":
-            if not {"x", "y", "z"} <= columns.keys():
-                raise ValueError("its vertices lack x, y or z")
-            vertices = np.stack([columns[axis] for axis in "xyz"], axis=1)
-            if set(COLOURS) <= columns.keys():
-                stacked = np.stack([columns[name] for name in COLOURS], axis=1)
-                colours = np.clip(np.nan_to_num(stacked), 0, 255).astype(np.uint8)
-            if {"s", "t"} <= columns.keys():
-                stacked = np.stack([columns[name] for name in "st"], axis=1)
-                coordinates = np.nan_to_num(stacked).astype(np.float32)
+            vertices, colours, coordinates = _vertices(columns)
         elif element.name == "face":
-            lists = [name for name, _, counter in element.properties if counter is not None]
-            known = [name for name in lists if name in ("vertex_indices", "vertex_index")]
-            if len(known or lists) != 1:
-                raise ValueError("its faces have no list named vertex_indices")
-            triangles = _fans(columns[(known or lists)[0]])
+            triangles = _triangles(columns, element)
 
     places = np.ascontiguousarray(vertices, np.float32)
     return Ply(places, triangles.astype(np.int64), colours, coordinates)

@@ -18,7 +18,6 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import unquote
@@ -147,16 +146,8 @@ def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, 
     An image alone is taken as it is. Shapes, and an image that one sees through, are drawn; if they
     cannot be, an image is taken without them, with a notice.
     """
-    draws = partial(_drawing, path, found)
     if found.image is None:
-        width, height = found.page
-        with _named(path):
-            if not (min(found.page) > 0 and np.isfinite(found.page).all()):
-                raise InputError("expected a page of finite size, for a map drawn with shapes")
-        size = _powers(width, height)
-        to_pixels = np.diag([size[0] / width, size[1] / height, 1.0])
-        return draws((0.0, 0.0, width, height), size), to_pixels, ()
-
+        return *_map_of_shapes(path, found), ()
     element, place = found.image
     image = _image(path, element.attributes.get("href", ""))
     with _named(path):
@@ -164,17 +155,27 @@ def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, 
     faded = place.faded or element.faded
     if not (found.shapes or faded):
         return image, to_pixels, ()
-    left_out = ["shapes over the height image"] * bool(found.shapes)
-    left_out += ["the height image's opacity"] * faded
-    what = " and ".join(left_out)
     turned = np.abs(to_pixels[[0, 1], [1, 0]]).max() > 1e-9
     if turned or svg_drawing.rasteriser() is None:
+        left_out = ["shapes over the height image"] * bool(found.shapes)
+        left_out += ["the height image's opacity"] * faded
         why = "the image is turned" if turned else f"to draw them, {svg_drawing.EXTRA}"
-        return image, to_pixels, (f"{path}: {what}: left out; {why}",)
+        return image, to_pixels, (f"{path}: {' and '.join(left_out)}: left out; {why}",)
     left, top = -to_pixels[:2, 2] / np.diag(to_pixels)[:2]
     width, height = np.array(image.size) / np.diag(to_pixels)[:2]
     box = tuple(map(float, (left, top, width, height)))
-    return draws(box, image.size), to_pixels, ()
+    return _drawing(path, found, box, image.size), to_pixels, ()
+
+
+def _map_of_shapes(path: Path, found: Found) -> tuple[Image.Image, np.ndarray]:
+    """Return a map that is drawn with shapes alone, as large as the page, and its matrix."""
+    width, height = found.page
+    with _named(path):
+        if not (min(found.page) > 0 and np.isfinite(found.page).all()):
+            raise InputError("expected a page of finite size, for a map drawn with shapes")
+    size = _powers(width, height)
+    to_pixels = np.diag([size[0] / width, size[1] / height, 1.0])
+    return _drawing(path, found, (0.0, 0.0, width, height), size), to_pixels
 
 
 def _drawing(

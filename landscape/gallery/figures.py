@@ -173,6 +173,14 @@ def as_webp(picture: np.ndarray, quality: int) -> bytes:
     return min(files, key=len)
 
 
+def _save_beside(out: Path, name: str, expected: np.ndarray | None, picture: np.ndarray) -> None:
+    """Save a new picture and, where there is another one, that and their difference."""
+    if expected is not None:
+        save_png(expected, out / f"{name}_expected.png")
+        save_png(amplified(expected, picture), out / f"{name}_difference.png")
+    save_png(picture, out / f"{name}_actual.png")
+
+
 def check(
     names: list[str],
     folder: Path,
@@ -193,15 +201,13 @@ def check(
     failed = 0
     for panel, picture, opengl in drawn(names, options, quiet, workers):
         path = folder / wanted.folder / f"{panel.name}.{wanted.suffix}"
-        same = not opengl or opengl == expected_renderer
-        if path.exists():
-            expected = read_image(path, "RGB")
+        expected = read_image(path, "RGB") if path.exists() else None
+        if expected is not None:
+            same = not opengl or opengl == expected_renderer
             if agree_lossy(expected, picture) if wanted.lossy else agree(expected, picture, same):
                 continue
-            save_png(expected, out / f"{panel.name}_expected.png")
-            save_png(amplified(expected, picture), out / f"{panel.name}_difference.png")
-        save_png(picture, out / f"{panel.name}_actual.png")
-        print(f"{panel.name}: {'differs' if path.exists() else 'missing'}; see {out}")
+        _save_beside(out, panel.name, expected, picture)
+        print(f"{panel.name}: {'missing' if expected is None else 'differs'}; see {out}")
         failed += 1
 
     if not quiet:

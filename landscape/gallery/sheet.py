@@ -12,18 +12,22 @@ CELL = 256  # chosen: side of a thumbnail in pixels
 COLUMNS = 7  # chosen
 
 
+def _checks() -> Image.Image:
+    """Return the grey chequers that are seen through transparent images."""
+    board = (np.indices((CELL, CELL)) // 16).sum(axis=0) % 2 * 40 + 100
+    return Image.fromarray(np.repeat(board[..., None], 3, axis=2).astype(np.uint8))
+
+
 def contact_sheet(folder: Path | None = None) -> np.ndarray:
     """Return the sheet, uint8 (h, w, 3), of all images; files in ``folder`` take precedence."""
     assets = Assets(folder)
     places = [shipped(), *([folder] if folder else [])]
-    names = {p.name for place in places for kind in ("png", "jpg") for p in place.glob(f"*.{kind}")}
-    ordered = sorted(names)
-    rows = -(-len(ordered) // COLUMNS)
+    found = {p.name for place in places for kind in ("png", "jpg") for p in place.glob(f"*.{kind}")}
+    rows = -(-len(found) // COLUMNS)
     sheet = Image.new("RGB", (COLUMNS * CELL, rows * (CELL + 16)), (32, 32, 32))
     pen = ImageDraw.Draw(sheet)
-    board = (np.indices((CELL, CELL)) // 16).sum(axis=0) % 2 * 40 + 100
-    checks = Image.fromarray(np.repeat(board[..., None], 3, axis=2).astype(np.uint8))
-    for number, name in enumerate(ordered):
+    checks = _checks()
+    for number, name in enumerate(sorted(found)):
         row, column = divmod(number, COLUMNS)
         corner = (column * CELL, row * (CELL + 16))
         picture = Image.fromarray(read_image(assets.path(name)))

@@ -11,6 +11,7 @@ from framelens.base.errors import InputError, NoOpenGLError, UnexpectedError, lo
 from framelens.gl.glfw_library import glfw
 from landscape.files.assets import Assets
 from landscape.walk.app import Walk
+from landscape.walk.hands import Hands
 from landscape.walk.pace import FPS
 from landscape.walk.recording import Plan
 
@@ -64,6 +65,16 @@ def frame(walk: Walk) -> np.ndarray:
     return picture
 
 
+def _press(hands: Hands, event: Event, down: bool) -> None:
+    """Give the hands a button of the mouse that went down or up."""
+    button = BUTTONS.get(event["button"])
+    turns = button == glfw.MOUSE_BUTTON_LEFT and not hands.building and not hands.inspecting
+    if turns:
+        hands.capture(down)
+    elif button is not None:
+        hands.button(button, glfw.PRESS if down else glfw.RELEASE, mods(event))
+
+
 def take(walk: Walk, event: Event) -> None:
     """Give an event to the walk's hands.
 
@@ -78,13 +89,7 @@ def take(walk: Walk, event: Event) -> None:
             hands.key(code, action, mods(event))
     elif kind in ("pointer_down", "pointer_up"):
         point(walk, event)
-        button = BUTTONS.get(event["button"])
-        down = kind == "pointer_down"
-        turns = button == glfw.MOUSE_BUTTON_LEFT and not hands.building and not hands.inspecting
-        if turns:
-            hands.capture(down)
-        elif button is not None:
-            hands.button(button, glfw.PRESS if down else glfw.RELEASE, mods(event))
+        _press(hands, event, kind == "pointer_down")
     elif kind == "pointer_move":
         point(walk, event)
     elif kind == "wheel":

@@ -16,6 +16,15 @@ _faint = HEAT[0] * 0.6 + np.arange(3 * 255 + 1)[:, None] / 3 / 255 * 0.18
 FAINT = (_faint * 255).astype(np.uint8)
 
 
+def _heat(mine: np.ndarray, wanted: np.ndarray, counted: np.ndarray) -> np.ndarray:
+    """Return the solution's picture faintly, with the pixels that are ``counted`` (h, w) bright."""
+    red, green, blue = (wanted[..., each].astype(np.int16) for each in range(3))
+    heat = FAINT[red + green + blue]
+    apart = np.abs(mine[counted].astype(int) - wanted[counted].astype(int))
+    heat[counted] = BRIGHT[np.maximum(apart.max(axis=1, initial=0), LEVELS)]
+    return np.asarray(heat)
+
+
 def heat_map(work: Evidence, solution: Evidence) -> np.ndarray:
     """Return three pictures in a row, uint8 (h, w, 3): the student's, the heat, the solution's.
 
@@ -28,11 +37,7 @@ def heat_map(work: Evidence, solution: Evidence) -> np.ndarray:
     mine, wanted = work.frame(number).picture, solution.frame(number).picture
     if mine.shape == wanted.shape:
         counted = differing(work.frame(number), solution.frame(number))
-        red, green, blue = (wanted[..., each].astype(np.int16) for each in range(3))
-        middle = FAINT[red + green + blue]
-        apart = np.abs(mine[counted].astype(int) - wanted[counted].astype(int))
-        middle[counted] = BRIGHT[np.maximum(apart.max(axis=1, initial=0), LEVELS)]
-        parts = [mine, middle, wanted]
+        parts = [mine, _heat(mine, wanted, counted), wanted]
     else:
         parts = [mine, np.full_like(mine, 255), wanted]
 

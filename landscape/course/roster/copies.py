@@ -149,6 +149,28 @@ def known(exercise: Exercise) -> set[Key]:
     return {key for program in programs for key in traces(program)}
 
 
+def _owners(found: Sequence[Mapping[Key, int]]) -> dict[Key, list[int]]:
+    """Return for each piece of evidence the numbers of the programs that have it."""
+    owners: dict[Key, list[int]] = defaultdict(list)
+    for number, each in enumerate(found):
+        for key in each:
+            owners[key].append(number)
+    return owners
+
+
+def _shared(
+    owners: Mapping[Key, Sequence[int]], whose: Sequence[str]
+) -> dict[tuple[int, int], list[Key]]:
+    """Return for each pair of programs the evidence that they share, if few students have it."""
+    most = max(COMMON[0], len(whose) // COMMON[1])
+    shared: dict[tuple[int, int], list[Key]] = defaultdict(list)
+    for key, numbers in owners.items():
+        if len({whose[number] for number in numbers}) <= most:
+            for pair in combinations(numbers, 2):
+                shared[pair].append(key)
+    return shared
+
+
 def pairs(programs: Sequence[str], common: set[Key], whose: Sequence[str]) -> list[Pair]:
     """Return the pairs of programs of an exercise that share rare evidence, the most first.
 
@@ -159,18 +181,8 @@ def pairs(programs: Sequence[str], common: set[Key], whose: Sequence[str]) -> li
         winnowed({key: line for key, line in traces(code).items() if key not in common})
         for code in programs
     ]
-    owners: dict[Key, list[int]] = defaultdict(list)
-    for number, each in enumerate(found):
-        for key in each:
-            owners[key].append(number)
-
-    most = max(COMMON[0], len(programs) // COMMON[1])
-    shared: dict[tuple[int, int], list[Key]] = defaultdict(list)
-    for key, numbers in owners.items():
-        if len({whose[number] for number in numbers}) <= most:
-            for pair in combinations(numbers, 2):
-                shared[pair].append(key)
-
+    owners = _owners(found)
+    shared = _shared(owners, whose)
     result = []
     for (first, second), keys in shared.items():
         score = sum(_weight(key) * _rarity(len(owners[key]), len(programs)) for key in keys)

@@ -73,6 +73,15 @@ def as_page(
 """.encode("utf-8", "replace")
 
 
+def _figure(graded: Graded, _: Translator) -> str:
+    """Return the student's picture, where it differs, and the solution's, with their labels."""
+    text = html.escape(_(PICTURE).format(student=printable(graded.row.student)), quote=True)
+    source = base64.b64encode(graded.picture).decode()
+    labels = "".join(f"<span>{html.escape(_(each))}</span>" for each in LABELS)
+    image = f'<img alt="{text}" src="data:image/png;base64,{source}">'
+    return f"<figure>{image}<figcaption>{labels}</figcaption></figure>"
+
+
 def _line_of(graded: Graded, _: Translator, hidden: bool) -> str:
     row = graded.row
     hint = html.escape(printable(told(row, _)))
@@ -83,12 +92,7 @@ def _line_of(graded: Graded, _: Translator, hidden: bool) -> str:
             hint += f"<p>{html.escape(printable(text))}</p>"
 
     if graded.picture:
-        text = html.escape(_(PICTURE).format(student=printable(row.student)), quote=True)
-        source = base64.b64encode(graded.picture).decode()
-        labels = "".join(f"<span>{html.escape(_(each))}</span>" for each in LABELS)
-        image = f'<img alt="{text}" src="data:image/png;base64,{source}">'
-        hint += f"<figure>{image}<figcaption>{labels}</figcaption></figure>"
-
+        hint += _figure(graded, _)
     student = html.escape(printable(row.student))
     if row.late:
         student += f" ({html.escape(_(LATE))})"

@@ -70,21 +70,25 @@ def as_junit(rows: Sequence[Row]) -> bytes:
             skipped=str(0 if row.error else skipped),
             time=f"{row.seconds:g}",
         )
-        named = _xml(f"{row.exercise or 'exercise'}.{row.student}")
-        if row.error:
-            case = ElementTree.SubElement(suite, "testcase", name=_xml(row.file), classname=named)
-            ElementTree.SubElement(case, "error", message=_xml(row.error))
-        for test in () if row.error else row.tests:
-            case = ElementTree.SubElement(
-                suite, "testcase", name=_xml(test["name"]), classname=named
-            )
-            if test["passed"] is None:
-                ElementTree.SubElement(case, "skipped")
-            elif not test["passed"]:
-                ElementTree.SubElement(case, "failure", message=_xml(test["hint"]))
+        _add_cases(suite, row)
 
     ElementTree.indent(root)
     return ElementTree.tostring(root, "utf-8", xml_declaration=True) + b"\n"
+
+
+def _add_cases(suite: ElementTree.Element, row: Row) -> None:
+    """Add a case for each test, or one with the error."""
+    named = _xml(f"{row.exercise or 'exercise'}.{row.student}")
+    if row.error:
+        case = ElementTree.SubElement(suite, "testcase", name=_xml(row.file), classname=named)
+        ElementTree.SubElement(case, "error", message=_xml(row.error))
+        return
+    for test in row.tests:
+        case = ElementTree.SubElement(suite, "testcase", name=_xml(test["name"]), classname=named)
+        if test["passed"] is None:
+            ElementTree.SubElement(case, "skipped")
+        elif not test["passed"]:
+            ElementTree.SubElement(case, "failure", message=_xml(test["hint"]))
 
 
 def _xml(text: str) -> str:
