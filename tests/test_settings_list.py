@@ -201,3 +201,15 @@ def test_text_is_wrapped_at_spaces() -> None:
     assert " ".join(lines) == text and len(lines) > 2
     assert all(face.getlength(line) <= 120 for line in lines)
     assert wrapped("unbreakable", face, 5) == ["unbreakable"]
+
+
+def test_a_path_that_is_too_long_for_a_line_is_broken_behind_its_slashes() -> None:
+    face = font(12)
+    for path in (
+        "/home/somebody/.config/landscape/preferences.toml:",
+        r"C:\Users\Somebody\AppData\x",
+    ):
+        lines = wrapped(f"read {path} again", face, 150)
+        assert all(face.getlength(line) <= 150 for line in lines) and len(lines) > 1
+        assert "".join(lines) in (f"read {path} again", f"read {path}again")
+    assert wrapped("a/b c", face, 150) == ["a/b c"]

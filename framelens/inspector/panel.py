@@ -7,6 +7,7 @@ the window's size.
 State used: both matrices, GL_BLEND, GL_TEXTURE_2D; depth test, fog and lighting off.
 """
 
+import re
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
 
@@ -118,14 +119,20 @@ def _lines_image(lines: Sequence[str], pixels: int) -> np.ndarray:
 
 
 def wrapped(text: str, face: ImageFont.FreeTypeFont, width: float) -> list[str]:
-    """Return a text in lines of at most ``width`` pixels, broken at spaces."""
+    """Return a text in lines of at most ``width`` pixels, broken at spaces.
+
+    A path that is longer is broken behind its slashes.
+    """
     lines = [""]
     for word in text.split(" "):
-        longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and face.getlength(longer) > width:
-            lines.append(word)
-        else:
-            lines[-1] = longer
+        fits = face.getlength(word) <= width
+        for number, part in enumerate([word] if fits else re.split(r"(?<=[/\\])", word)):
+            gap = "" if number else " "
+            longer = f"{lines[-1]}{gap}{part}".strip()
+            if lines[-1] and face.getlength(longer) > width:
+                lines.append(part)
+            else:
+                lines[-1] = longer
     return lines
 
 
