@@ -10,6 +10,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 
 SPOILERS = (
@@ -37,7 +38,7 @@ def apart(size: tuple[int, int]) -> Iterator[None]:
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, 0)
     _plain_units()
     for name in SPOILERS:
-        gl.glDisable(getattr(gl, f"GL_{name}"))
+        gl.glDisable(gl_constant(f"GL_{name}"))
     gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)
     gl.glColorMask(True, True, True, True)
     gl.glDrawBuffer(gl.GL_BACK if gl.glGetIntegerv(gl.GL_DOUBLEBUFFER) else gl.GL_FRONT)
@@ -49,12 +50,12 @@ def apart(size: tuple[int, int]) -> Iterator[None]:
     gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
     for kind in ("UNPACK", "PACK"):
         for name in ("ROW_LENGTH", "SKIP_ROWS", "SKIP_PIXELS", "SWAP_BYTES", "LSB_FIRST"):
-            gl.glPixelStorei(getattr(gl, f"GL_{kind}_{name}"), 0)
+            gl.glPixelStorei(gl_constant(f"GL_{kind}_{name}"), 0)
 
     # The stacks may be full.
-    saved = {name: np.array(gl.glGetDoublev(getattr(gl, f"GL_{name}_MATRIX"))) for name in MATRICES}
+    saved = {name: np.array(gl.glGetDoublev(gl_constant(f"GL_{name}_MATRIX"))) for name in MATRICES}
     for name in MATRICES:
-        gl.glMatrixMode(getattr(gl, f"GL_{name}"))
+        gl.glMatrixMode(gl_constant(f"GL_{name}"))
         gl.glLoadIdentity()
     gl.glMatrixMode(gl.GL_PROJECTION)
     gl.glOrtho(0, size[0], 0, size[1], -1, 1)
@@ -63,7 +64,7 @@ def apart(size: tuple[int, int]) -> Iterator[None]:
     finally:
         gl.glActiveTexture(gl.GL_TEXTURE0)
         for name, matrix in saved.items():
-            gl.glMatrixMode(getattr(gl, f"GL_{name}"))
+            gl.glMatrixMode(gl_constant(f"GL_{name}"))
             gl.glLoadMatrixd(matrix)
         if target:
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, target)
@@ -76,4 +77,4 @@ def _plain_units() -> None:
     for unit in reversed(range(int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_UNITS)))):
         gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
         for name in OF_A_UNIT:
-            gl.glDisable(getattr(gl, f"GL_{name}"))
+            gl.glDisable(gl_constant(f"GL_{name}"))

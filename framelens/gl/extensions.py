@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from framelens.base.errors import NoOpenGLError
 from framelens.base.packages import speaker
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl, unnoted
 
 
@@ -132,7 +133,7 @@ def largest_point() -> float:
 
 def _greatest(name: str) -> float:
     with unnoted():
-        return float(gl.glGetFloatv(getattr(gl, name))[1])
+        return float(gl.glGetFloatv(gl_constant(name))[1])
 
 
 def has_stencil(what: str) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 
 from framelens.gl import extensions
 from framelens.gl.features import possible
+from framelens.gl.named import gl_constant, texture_unit
 from framelens.gl.seam import gl
 
 
@@ -91,7 +92,7 @@ def client_arrays(
     several = units > 1  # an OpenGL that has a single one may lack the function, too
     for unit, array in enumerate(coordinates):
         if several:
-            gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+            gl.glClientActiveTexture(texture_unit(unit))
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
         gl.glTexCoordPointer(array.shape[1], gl.GL_FLOAT, 0, array)
 
@@ -100,7 +101,7 @@ def client_arrays(
     finally:
         for unit in reversed(range(len(coordinates))):
             if several:
-                gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+                gl.glClientActiveTexture(texture_unit(unit))
             gl.glDisableClientState(gl.GL_TEXTURE_COORD_ARRAY)
         if colors is not None:
             gl.glDisableClientState(gl.GL_COLOR_ARRAY)
@@ -112,7 +113,7 @@ def client_arrays(
 def use_unit(unit: int) -> None:
     """Let the next calls concern a texture unit; where there is a single one, they do already."""
     if extensions.texture_units() > 1:
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        gl.glActiveTexture(texture_unit(unit))
 
 
 def multiply(scale: float = 1.0) -> None:
@@ -155,4 +156,4 @@ def combine(terms: dict[str, str]) -> None:
     """Set terms of the active unit's GL_COMBINE equation (OpenGL 1.3), names without their GL_."""
     gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_COMBINE)
     for name, value in terms.items():
-        gl.glTexEnvi(gl.GL_TEXTURE_ENV, getattr(gl, f"GL_{name}"), getattr(gl, f"GL_{value}"))
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl_constant(f"GL_{name}"), gl_constant(f"GL_{value}"))

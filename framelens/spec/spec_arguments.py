@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from framelens.gl.seam import gl
+from framelens.gl.named import gl_constant
 from framelens.spec.spec_enumerants import BESIDE, BY_OTHER
 from framelens.spec.spec_table import (
     Function,
@@ -123,7 +123,7 @@ def value_of(name: str) -> Any:
     """Return the value of an enumerant, or of a number in the list of legal ones."""
     if name[0].isdigit():
         return float(name) if "." in name else int(name)
-    return BESIDE[name] if name in BESIDE else getattr(gl, name)
+    return BESIDE[name] if name in BESIDE else gl_constant(name)
 
 
 @functools.cache

@@ -11,6 +11,7 @@ from functools import partial
 from typing import Any
 
 from framelens.base.errors import InputError
+from framelens.gl.named import gl_constant
 from framelens.gl.raw import raw
 from framelens.gl.seam import gl
 from framelens.state.state_tables import (
@@ -81,7 +82,7 @@ def enum(name: str) -> int:
     """
     if name.startswith("GL_CLIP_PLANE"):
         return int(gl.GL_CLIP_PLANE0) + int(name.removeprefix("GL_CLIP_PLANE"))
-    return int(name, 16) if name.startswith("0x") else int(getattr(gl, name))
+    return int(name, 16) if name.startswith("0x") else int(gl_constant(name))
 
 
 @functools.cache

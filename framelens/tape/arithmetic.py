@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.notes import plain
-from framelens.gl.seam import gl
 from framelens.tape.probe import enabled, number
 
 
@@ -19,7 +19,7 @@ def colour(values: Sequence[float] | np.ndarray, digits: int = 3) -> str:
 def token(value: Any, *families: Sequence[str]) -> str:
     """Return the name of an enumerant that OpenGL gave as a number, out of the given names."""
     for name in (each for family in families for each in family):
-        if int(getattr(gl, name)) == int(value):
+        if int(gl_constant(name)) == int(value):
             return name
     return str(plain(value))
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 
 
@@ -44,9 +45,9 @@ class Buffers:
         gl.glPushClientAttrib(gl.GL_CLIENT_PIXEL_STORE_BIT)
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for each in ("ALPHA_TEST", "BLEND", "COLOR_LOGIC_OP", "DEPTH_TEST", "DITHER", "FOG"):
-            gl.glDisable(getattr(gl, f"GL_{each}"))
+            gl.glDisable(gl_constant(f"GL_{each}"))
         for each in ("LIGHTING", "SCISSOR_TEST", "STENCIL_TEST", "TEXTURE_1D", "TEXTURE_2D"):
-            gl.glDisable(getattr(gl, f"GL_{each}"))
+            gl.glDisable(gl_constant(f"GL_{each}"))
         gl.glColorMask(True, True, True, True)
         gl.glDepthMask(True)
         gl.glStencilMask(0xFF)

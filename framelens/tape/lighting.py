@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.tape.arithmetic import colour
 from framelens.tape.probe import enabled
@@ -106,7 +107,7 @@ def _only(names: Sequence[str], scene: bool) -> None:
 
 
 def _set(light: str, name: str, value: np.ndarray) -> None:
-    gl.glLightfv(getattr(gl, light), getattr(gl, f"GL_{name}"), value)
+    gl.glLightfv(gl_constant(light), gl_constant(f"GL_{name}"), value)
 
 
 def _white(name: str, everywhere: bool = False) -> None:
@@ -116,11 +117,11 @@ def _white(name: str, everywhere: bool = False) -> None:
     both = gl.GL_FRONT_AND_BACK
     gl.glMaterialfv(both, gl.GL_DIFFUSE, WHITE)
     for what in ("AMBIENT", "SPECULAR", "EMISSION"):
-        gl.glMaterialfv(both, getattr(gl, f"GL_{what}"), BLACK)
+        gl.glMaterialfv(both, gl_constant(f"GL_{what}"), BLACK)
     for what, value in (("AMBIENT", BLACK), ("DIFFUSE", WHITE), ("SPECULAR", BLACK)):
         _set(name, what, value)
     if everywhere:
-        light = getattr(gl, name)
+        light = gl_constant(name)
         gl.glLightf(light, gl.GL_CONSTANT_ATTENUATION, 1.0)
         gl.glLightf(light, gl.GL_LINEAR_ATTENUATION, 0.0)
         gl.glLightf(light, gl.GL_QUADRATIC_ATTENUATION, 0.0)

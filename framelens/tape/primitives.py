@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from framelens.gl.named import gl_constant, gl_function
 from framelens.gl.seam import Call, gl
 from framelens.spec import spec
 from framelens.tape.steps import Step, issue
@@ -127,7 +128,7 @@ def _pieces(mode: str, vertices: int, first: int, last: int) -> list[tuple[str, 
 
 def _point(arrays: Sequence[tuple[str, tuple[object, ...]]]) -> None:
     for name, args in arrays:
-        getattr(gl, name)(*args)
+        gl_function(name)(*args)
 
 
 def _of_elements(call: Call) -> Primitives:
@@ -152,7 +153,7 @@ def _of_elements(call: Call) -> Primitives:
             return
         for piece, vertices in _pieces(named, len(flat), first, last):
             part = flat[vertices]
-            gl.glDrawElements(getattr(gl, piece), len(part), kind, part)
+            gl.glDrawElements(gl_constant(piece), len(part), kind, part)
 
     return Primitives(_counted(named, len(flat)), draw)
 
@@ -171,7 +172,7 @@ def _of_arrays(call: Call) -> Primitives:
             return
         for piece, vertices in _pieces(named, count, first, last):
             part = np.array(vertices, np.uint32) + begin
-            gl.glDrawElements(getattr(gl, piece), len(part), gl.GL_UNSIGNED_INT, part)
+            gl.glDrawElements(gl_constant(piece), len(part), gl.GL_UNSIGNED_INT, part)
 
     return Primitives(_counted(named, count), draw)
 
@@ -194,7 +195,7 @@ def _of_begin(draw: Draw) -> Primitives:
 
     def draw_some(first: int, last: int) -> None:
         for piece, some in _pieces(named, len(vertices), first, last):
-            gl.glBegin(getattr(gl, piece))
+            gl.glBegin(gl_constant(piece))
             for index in some:
                 attributes, vertex = vertices[index]
                 for call in attributes.values():

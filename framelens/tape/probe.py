@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from framelens.gl.features import require
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 
 Draws = Callable[[], object]
@@ -169,7 +170,7 @@ class Probe:
         found = []
         for unit in range(self._units):
             gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
-            if any(gl.glIsEnabled(getattr(gl, target)) for target in TARGETS):
+            if any(gl.glIsEnabled(gl_constant(target)) for target in TARGETS):
                 found.append(unit)
         gl.glActiveTexture(active)
         return found
@@ -180,7 +181,7 @@ class Probe:
         for unit in units:
             gl.glActiveTexture(gl.GL_TEXTURE0 + unit)
             for target in TARGETS:
-                gl.glDisable(getattr(gl, target))
+                gl.glDisable(gl_constant(target))
 
     def planes(self) -> list[int]:
         """Return the clip planes in use."""
@@ -189,10 +190,10 @@ class Probe:
 
 def enabled(name: str) -> bool:
     """Whether something is enabled."""
-    return bool(gl.glIsEnabled(getattr(gl, name)))
+    return bool(gl.glIsEnabled(gl_constant(name)))
 
 
 def number(name: str) -> Any:
     """Return a state variable's number, or numbers as a list."""
-    found = np.ravel(gl.glGetFloatv(getattr(gl, name)))
+    found = np.ravel(gl.glGetFloatv(gl_constant(name)))
     return float(found[0]) if found.size == 1 else [float(each) for each in found]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 
 Box = tuple[int, int, int, int]
@@ -105,9 +106,9 @@ def _readable(target: int) -> Iterator[None]:
 
     try:
         for name, value in STORED.items():
-            gl.glPixelStorei(getattr(gl, f"GL_PACK_{name}"), value)
+            gl.glPixelStorei(gl_constant(f"GL_PACK_{name}"), value)
         for name, number in TRANSFERS.items():
-            gl.glPixelTransferf(getattr(gl, f"GL_{name}"), number)
+            gl.glPixelTransferf(gl_constant(f"GL_{name}"), number)
         gl.glBindBuffer(gl.GL_PIXEL_PACK_BUFFER, 0)
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, target)
         yield

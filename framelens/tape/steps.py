@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from framelens.base.errors import InputError, short
 from framelens.gl.client import POINTERS
+from framelens.gl.named import gl_constant, gl_function
 from framelens.gl.seam import Call, gl
 from framelens.spec import spec
 
@@ -73,7 +74,7 @@ def _expanded(step: Step) -> Iterator[Step]:
     if guarded:
         yield _added(call, "glPushClientAttrib", gl.GL_CLIENT_VERTEX_ARRAY_BIT)
         for name in ARRAYS:
-            yield _added(call, "glDisableClientState", getattr(gl, f"GL_{name}_ARRAY"))
+            yield _added(call, "glDisableClientState", gl_constant(f"GL_{name}_ARRAY"))
 
     yield from inner
     if guarded:
@@ -110,7 +111,7 @@ def bind_again(calls: Iterable[Call], number: int) -> None:
     """Let the object ``number`` draw, 0 for fixed function, as one of the program's calls does."""
     binding = next((call for call in calls if binds_shaders(call.name)), None)
     if binding is not None:
-        getattr(gl, binding.name)(number)
+        gl_function(binding.name)(number)
 
 
 def issue(call: Call) -> None:
@@ -118,8 +119,8 @@ def issue(call: Call) -> None:
     if call.skipped or not repeatable(call.name):
         return
     for name, args in call.arrays:
-        getattr(gl, name)(*args)
-    getattr(gl, call.name)(*call.args)
+        gl_function(name)(*args)
+    gl_function(call.name)(*call.args)
     if call.compiled is not None:
         for inner in call.compiled.calls():
             issue(inner)

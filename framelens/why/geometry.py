@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import Call, gl
 from framelens.tape.primitives import Draw
 
@@ -151,21 +152,21 @@ def _of_rect(call: Call) -> Vertices:
 
 def array_now(kind: str, call: Call, size: int) -> np.ndarray | None:
     """Return what a client array holds for a draw, float64 (n, size): from memory or a buffer."""
-    if not gl.glIsEnabled(getattr(gl, f"GL_{kind}_ARRAY")):
+    if not gl.glIsEnabled(gl_constant(f"GL_{kind}_ARRAY")):
         return None
     pointer = next((args for name, args in call.arrays if name == POINTERS[kind]), None)
-    components_ = int(gl.glGetIntegerv(getattr(gl, f"GL_{kind}_ARRAY_SIZE"))) if size != 3 else 3
+    components_ = int(gl.glGetIntegerv(gl_constant(f"GL_{kind}_ARRAY_SIZE"))) if size != 3 else 3
     if kind == "VERTEX":
         components_ = int(gl.glGetIntegerv(gl.GL_VERTEX_ARRAY_SIZE))
     if pointer is not None:
         array = np.asarray(pointer[-1], np.float64)
         return array.reshape(-1, array.shape[-1] if array.ndim > 1 else components_)
-    buffer = int(gl.glGetIntegerv(getattr(gl, f"GL_{kind}_ARRAY_BUFFER_BINDING")))
+    buffer = int(gl.glGetIntegerv(gl_constant(f"GL_{kind}_ARRAY_BUFFER_BINDING")))
     if not buffer:
         return None
-    kind_type = int(gl.glGetIntegerv(getattr(gl, f"GL_{kind}_ARRAY_TYPE")))
-    stride = int(gl.glGetIntegerv(getattr(gl, f"GL_{kind}_ARRAY_STRIDE")))
-    offset = int(gl.glGetPointerv(getattr(gl, f"GL_{kind}_ARRAY_POINTER")) or 0)
+    kind_type = int(gl.glGetIntegerv(gl_constant(f"GL_{kind}_ARRAY_TYPE")))
+    stride = int(gl.glGetIntegerv(gl_constant(f"GL_{kind}_ARRAY_STRIDE")))
+    offset = int(gl.glGetPointerv(gl_constant(f"GL_{kind}_ARRAY_POINTER")) or 0)
     return _strided(buffer, TYPES[kind_type], components_, stride, offset)
 
 
@@ -252,7 +253,7 @@ def _all_in_view() -> Iterator[None]:
     gl.glViewport(0, 0, 1024, 1024)
     gl.glDepthRange(0.0, 1.0)
     for name in ("CULL_FACE", "LIGHTING", "FOG"):
-        gl.glDisable(getattr(gl, f"GL_{name}"))
+        gl.glDisable(gl_constant(f"GL_{name}"))
     try:
         yield
     finally:

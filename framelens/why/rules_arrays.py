@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from framelens.gl.named import gl_constant, gl_function
 from framelens.gl.seam import Call, gl
 from framelens.spec.spec import draws
 from framelens.why.geometry import LEAST, MODES
@@ -110,10 +111,10 @@ def _not_enabled(draw: Drawn, buffers: Buffers) -> Iterator[Suspect]:
 
         def start(c: Call = call, k: str = kind, b: int = buffer) -> None:
             _point(c, b)
-            gl.glEnableClientState(getattr(gl, k))
+            gl.glEnableClientState(gl_constant(k))
 
         def stop(k: str = kind) -> None:
-            gl.glDisableClientState(getattr(gl, k))
+            gl.glDisableClientState(gl_constant(k))
 
         yield Suspect(
             "array-not-enabled",
@@ -130,7 +131,7 @@ def _not_enabled(draw: Drawn, buffers: Buffers) -> Iterator[Suspect]:
 def _point(call: Call, buffer: int, args: Any = None) -> None:
     former = int(gl.glGetIntegerv(gl.GL_ARRAY_BUFFER_BINDING))
     gl.glBindBuffer(gl.GL_ARRAY_BUFFER, buffer)
-    getattr(gl, call.name)(*(call.args if args is None else args))
+    gl_function(call.name)(*(call.args if args is None else args))
     gl.glBindBuffer(gl.GL_ARRAY_BUFFER, former)
 
 
@@ -243,10 +244,10 @@ def _pointed(draw: Drawn, call: Call, args: tuple[object, ...]) -> Change:
 
     def act() -> None:
         for name, given in draw.call.arrays:
-            getattr(gl, name)(*(args if name == call.name else given))
+            gl_function(name)(*(args if name == call.name else given))
         if not any(name == call.name for name, _ in draw.call.arrays):
-            getattr(gl, call.name)(*args)
-        getattr(gl, draw.call.name)(*draw.call.args)
+            gl_function(call.name)(*args)
+        gl_function(draw.call.name)(*draw.call.args)
 
     return Change(instead={draw.place: [act]})
 
@@ -506,7 +507,7 @@ def _count_of_faces(draw: Drawn) -> Iterator[Suspect]:
 def _pointed_all(draw: Drawn, count: int) -> Callable[[], None]:
     def act() -> None:
         for name, given in draw.call.arrays:
-            getattr(gl, name)(*given)
+            gl_function(name)(*given)
         mode, _, *others = draw.call.args
         gl.glDrawElements(mode, count, *others)
 
@@ -571,10 +572,10 @@ def _colored_by(draw: Drawn, color: Call) -> Change:
 
     def act() -> None:
         for name, given in draw.call.arrays:
-            getattr(gl, name)(*given)
+            gl_function(name)(*given)
         gl.glDisableClientState(gl.GL_COLOR_ARRAY)
-        getattr(gl, color.name)(*color.args)
-        getattr(gl, draw.call.name)(*draw.call.args)
+        gl_function(color.name)(*color.args)
+        gl_function(draw.call.name)(*draw.call.args)
 
     return Change(instead={draw.place: [act]})
 

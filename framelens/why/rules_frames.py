@@ -8,10 +8,11 @@ frame.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import Call, gl
 from framelens.program.past import Past
 from framelens.why.survey import Drawn, Survey
-from framelens.why.suspects import Suspect, cap, is_identity, load, with_state, written
+from framelens.why.suspects import Suspect, is_identity, load, with_state, written
 from framelens.why.trial import Action, Change
 
 READS = ("glReadPixels", "glCopyTex", "glCopyPixels", "glBlitFramebuffer", "glAccum")
@@ -67,13 +68,13 @@ def no_clear(survey: Survey) -> Iterator[Suspect]:
         ("GL_COLOR_BUFFER_BIT", "COLOR", "no-clear"),
         ("GL_DEPTH_BUFFER_BIT", "DEPTH", "no-depth-clear"),
     ):
-        cleared = any(_bits(draw) & int(cap(name)) for draw in survey.draws)
+        cleared = any(_bits(draw) & int(gl_constant(name)) for draw in survey.draws)
         if cleared or (bit == "DEPTH" and not any(d.state["GL_DEPTH_TEST"] for d in survey.shapes)):
             continue
         yield Suspect(
             cause,
             at=first.call,
-            change=Change(first=[("glClear", (cap(name),))]),
+            change=Change(first=[("glClear", (gl_constant(name),))]),
             strength=92,
             state="GL_COLOR_CLEAR_VALUE" if bit == "COLOR" else "GL_DEPTH_CLEAR_VALUE",
         )
@@ -110,7 +111,7 @@ def masked_clear(survey: Survey) -> Iterator[Suspect]:
 
 
 def _flag(name: str, value: object) -> list[Action]:
-    return [("glEnable" if value else "glDisable", (cap(name),))]
+    return [("glEnable" if value else "glDisable", (gl_constant(name),))]
 
 
 def _texture(name: str, value: object) -> list[Action]:
@@ -124,15 +125,15 @@ LEAKING: dict[str, Callable[[str, Any], Sequence[Action]]] = {
     "GL_COLOR_WRITEMASK": lambda n, v: [("glColorMask", tuple(v))],
     "GL_DEPTH_WRITEMASK": lambda n, v: [("glDepthMask", (v,))],
     "GL_POLYGON_MODE": lambda n, v: [
-        ("glPolygonMode", (face, cap(mode)))
+        ("glPolygonMode", (face, gl_constant(mode)))
         for face, mode in zip((gl.GL_FRONT, gl.GL_BACK), v, strict=False)
     ],
     "GL_CURRENT_COLOR": lambda n, v: [("glColor4f", tuple(v))],
-    "GL_DEPTH_FUNC": lambda n, v: [("glDepthFunc", (cap(v),))],
-    "GL_FRONT_FACE": lambda n, v: [("glFrontFace", (cap(v),))],
-    "GL_CULL_FACE_MODE": lambda n, v: [("glCullFace", (cap(v),))],
+    "GL_DEPTH_FUNC": lambda n, v: [("glDepthFunc", (gl_constant(v),))],
+    "GL_FRONT_FACE": lambda n, v: [("glFrontFace", (gl_constant(v),))],
+    "GL_CULL_FACE_MODE": lambda n, v: [("glCullFace", (gl_constant(v),))],
     "GL_COLOR_CLEAR_VALUE": lambda n, v: [("glClearColor", tuple(v))],
-    "GL_MATRIX_MODE": lambda n, v: [("glMatrixMode", (cap(v),))],
+    "GL_MATRIX_MODE": lambda n, v: [("glMatrixMode", (gl_constant(v),))],
     "GL_FRONT.GL_EMISSION": lambda n, v: [
         ("glMaterialfv", (gl.GL_FRONT_AND_BACK, gl.GL_EMISSION, tuple(v)))
     ],

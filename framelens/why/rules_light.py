@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.program.past import Past
 from framelens.why.geometry import Vertices
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import (
     Suspect,
-    cap,
     closed,
     in_frame,
     matrix_of,
@@ -106,7 +106,9 @@ FADING = ("GL_LINEAR_ATTENUATION", "GL_QUADRATIC_ATTENUATION")
 
 def _of_light(name: str, values: Sequence[tuple[str, float]], draws: Sequence[Drawn]) -> Change:
     """Return the change that gives a light other numbers."""
-    actions: list[Action] = [("glLightf", (cap(name), cap(key), value)) for key, value in values]
+    actions: list[Action] = [
+        ("glLightf", (gl_constant(name), gl_constant(key), value)) for key, value in values
+    ]
     return with_state(["LIGHTING"], actions, draws)
 
 
@@ -208,7 +210,7 @@ def _turned_to(name: str, mine: list[Drawn]) -> Suspect:
         distant = mine[0].state[f"{name}.GL_POSITION"][3] == 0
         gl.glPushMatrix()
         gl.glLoadIdentity()
-        gl.glLightfv(cap(name), gl.GL_POSITION, (0, 0, 1, 0) if distant else (0, 0, 0, 1))
+        gl.glLightfv(gl_constant(name), gl.GL_POSITION, (0, 0, 1, 0) if distant else (0, 0, 0, 1))
         gl.glPopMatrix()
 
     return Suspect(
@@ -563,7 +565,9 @@ def _enabled_by(survey: Survey, draw: Drawn, name: str) -> Call | None:
     if setter is None or setter.name == "glEnable":
         return setter
     earlier = survey.tape.calls[: draw.number]
-    enabling = [c for c in earlier if c.name == "glEnable" and int(c.args[0]) == int(cap(name))]
+    enabling = [
+        c for c in earlier if c.name == "glEnable" and int(c.args[0]) == int(gl_constant(name))
+    ]
     return enabling[-1] if enabling else setter
 
 
@@ -719,7 +723,7 @@ def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
         alone = not any(d.state[other] for other in others for d in mine)
         if max(diffuse[:3]) < 0.02 and alone:
             actions: list[Action] = [
-                ("glLightfv", (cap(name), gl.GL_DIFFUSE, (1.0, 1.0, 1.0, 1.0)))
+                ("glLightfv", (gl_constant(name), gl.GL_DIFFUSE, (1.0, 1.0, 1.0, 1.0)))
             ]
             yield Suspect(
                 "light-black",

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from framelens.gl.named import gl_function
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.program.past import MATRIX
 from framelens.program.program_run import Chain
@@ -440,7 +441,7 @@ def _matrix_by(survey: Survey, at: Any) -> np.ndarray | None:
         if isinstance(at, GluCall):
             glu_function(at.name)(*at.args)
         else:
-            getattr(gl, at.name)(*at.args)
+            gl_function(at.name)(*at.args)
         return np.array(gl.glGetDoublev(gl.GL_PROJECTION_MATRIX)).reshape(4, 4)
     except Exception:
         return None

@@ -7,13 +7,13 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import Call, gl
 from framelens.why.geometry import LEAST, MODES, Vertices, concave, crossed_faces
 from framelens.why.mends import instead_of_glu
 from framelens.why.survey import MAPS, Drawn, Survey
 from framelens.why.suspects import (
     Suspect,
-    cap,
     line_of,
     matrix_of,
     with_matrix,
@@ -111,7 +111,7 @@ def _map_off(survey: Survey, draw: Drawn) -> Iterator[Suspect]:
             yield Suspect(
                 "map-not-enabled",
                 at=call,
-                change=with_state(["ENABLE", "EVAL"], [("glEnable", (cap(name),))], [draw]),
+                change=with_state(["ENABLE", "EVAL"], [("glEnable", (gl_constant(name),))], [draw]),
                 strength=90,
                 state=name,
                 value=False,
@@ -140,7 +140,9 @@ def _left_over(survey: Survey) -> Iterator[Suspect]:
         yield Suspect(
             "left-over",
             at=draws[0].call,
-            change=Change(instead={draw.place: [("glBegin", (cap(better),))] for draw in draws}),
+            change=Change(
+                instead={draw.place: [("glBegin", (gl_constant(better),))] for draw in draws}
+            ),
             strength=82,
             values={"mode": found.mode, "n": count, "size": size, "left": count % size},
             draws=draws,
@@ -215,7 +217,9 @@ def _too_few(survey: Survey) -> Iterator[Suspect]:
         yield Suspect(
             "too-few-vertices",
             at=draws[0].call,
-            change=Change(instead={draw.place: [("glBegin", (cap(mode),))] for draw in draws}),
+            change=Change(
+                instead={draw.place: [("glBegin", (gl_constant(mode),))] for draw in draws}
+            ),
             strength=85,
             values={"mode": found.mode, "n": count, "needed": LEAST[found.mode]},
             draws=draws,

@@ -10,13 +10,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import Call, gl
 from framelens.tape.textures import completeness
 from framelens.why.geometry import against_neighbours
 from framelens.why.survey import Drawn, Survey
 from framelens.why.suspects import (
     Suspect,
-    cap,
     closed,
     in_frame,
     load,
@@ -208,7 +208,7 @@ def _other_faces(mine: list[Drawn], strength: float) -> Iterator[Suspect]:
             yield Suspect(
                 cause,
                 at=_setter(mine, name),
-                change=with_state(["POLYGON"], [(function, (cap(plain),))], mine),
+                change=with_state(["POLYGON"], [(function, (gl_constant(plain),))], mine),
                 strength=strength + likelier,
                 state=name,
                 value=value,
@@ -759,14 +759,14 @@ def overdrawn(survey: Survey) -> Iterator[Suspect]:
 def _again(draw: Drawn) -> Callable[[], None]:
     def act() -> None:
         modelview, projection = (
-            np.array(gl.glGetDoublev(cap(f"GL_{mode}_MATRIX"))) for mode in MODES
+            np.array(gl.glGetDoublev(gl_constant(f"GL_{mode}_MATRIX"))) for mode in MODES
         )
         gl.glPushAttrib(gl.GL_ALL_ATTRIB_BITS)
         for mode in MODES:
             load(f"GL_{mode}", draw.state[f"GL_{mode}_MATRIX"])()
         gl.glColor4f(*draw.state["GL_CURRENT_COLOR"])
         for name in ("GL_DEPTH_TEST", "GL_LIGHTING", "GL_BLEND"):
-            (gl.glEnable if draw.state[name] else gl.glDisable)(cap(name))
+            (gl.glEnable if draw.state[name] else gl.glDisable)(gl_constant(name))
         gl.glDepthMask(False)
         draw.draw.issue()
         gl.glPopAttrib()

@@ -9,7 +9,8 @@ from itertools import takewhile
 
 import numpy as np
 
-from framelens.gl.seam import Call, gl
+from framelens.gl.named import gl_constant, gl_function
+from framelens.gl.seam import Call
 from framelens.program.shown import FRONT
 from framelens.spec import spec
 from framelens.tape.steps import Step
@@ -34,7 +35,7 @@ def before_context(survey: Survey) -> Iterator[Suspect]:
     def make() -> None:
         for name, args, result, _ in past.early:
             if spec.creates(name):
-                made = getattr(gl, name)(*args)
+                made = gl_function(name)(*args)
                 if result is None or int(np.ravel(result or 0)[0]) == 0:
                     names[0] = int(np.ravel(made)[0])
             elif not spec.is_query(name):
@@ -42,7 +43,7 @@ def before_context(survey: Survey) -> Iterator[Suspect]:
                 place = PLACES.get(name)
                 if place is not None and int(values[place] or 0) == 0:
                     values[place] = names.get(0, 0)
-                getattr(gl, name)(*values)
+                gl_function(name)(*values)
 
     instead: dict[str, Sequence[Action]] = {}
     for call in survey.tape.frame:
@@ -72,7 +73,7 @@ def _renamed(call: Call, place: int, names: dict[int, int]) -> Action:
     def act() -> None:
         args = list(call.args)
         args[place] = names.get(0, 0)
-        getattr(gl, call.name)(*args)
+        gl_function(call.name)(*args)
 
     return act
 
@@ -187,7 +188,7 @@ def _outside(steps: Sequence[Step], index: int) -> Iterator[Suspect]:
             "outside-begin",
             at=step.call,
             change=Change(
-                before={step.place: [("glBegin", (getattr(gl, mode),))]},
+                before={step.place: [("glBegin", (gl_constant(mode),))]},
                 after={last.place: [("glEnd", ())]} if last.call.name != "glEnd" else {},
             ),
             strength=94,

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from framelens.gl.named import gl_constant, gl_function
 from framelens.gl.raw import raw
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.program.past import Past, Setters
@@ -243,7 +244,7 @@ def untested() -> Around:
     )
     planes = [("glDisable", (gl.GL_CLIP_PLANE0 + k,)) for k in range(6)]
     return Around(
-        int(gl.GL_ENABLE_BIT), [("glDisable", (getattr(gl, f"GL_{n}"),)) for n in off] + planes
+        int(gl.GL_ENABLE_BIT), [("glDisable", (gl_constant(f"GL_{n}"),)) for n in off] + planes
     )
 
 
@@ -358,7 +359,7 @@ def _read_arrays(item: Item) -> None:
     """Point to a draw's own arrays, so that they can be read."""
     if item.call.arrays:
         for name, args in item.call.arrays:
-            getattr(gl, name)(*args)
+            gl_function(name)(*args)
 
 
 def _drain(errors: list[tuple[str, Call, str]], item: Item) -> None:

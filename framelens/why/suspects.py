@@ -6,11 +6,11 @@ It only suspects: diagnosis.py tries the change, and names no cause whose change
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from framelens.gl.named import gl_constant
 from framelens.gl.notes import plain
 from framelens.gl.seam import Call, GluCall, gl
 from framelens.why.survey import Drawn, Survey
@@ -46,11 +46,6 @@ class Suspect:
     appear: bool = False  # whether ``draws`` must have fragments that pass, then
 
 
-def cap(name: str) -> Any:
-    """Return an enumerant by its name."""
-    return getattr(gl, name)
-
-
 def places(draws: Iterable[Drawn]) -> frozenset[str]:
     """Return the places of draws."""
     return frozenset(draw.place for draw in draws)
@@ -62,18 +57,18 @@ def with_state(
     """Return the change that surrounds draws, None for all, with other state of some groups."""
     mask = 0
     for bit in bits:
-        mask |= int(cap(f"GL_{bit}_BIT"))
+        mask |= int(gl_constant(f"GL_{bit}_BIT"))
     return Change(around=(Around(mask, actions, None if draws is None else places(draws)),))
 
 
 def off(name: str, draws: Iterable[Drawn] | None) -> Change:
     """Return the change that switches something off for draws."""
-    return with_state(["ENABLE"], [("glDisable", (cap(name),))], draws)
+    return with_state(["ENABLE"], [("glDisable", (gl_constant(name),))], draws)
 
 
 def on(name: str, draws: Iterable[Drawn] | None) -> Change:
     """Return the change that switches something on for draws."""
-    return with_state(["ENABLE"], [("glEnable", (cap(name),))], draws)
+    return with_state(["ENABLE"], [("glEnable", (gl_constant(name),))], draws)
 
 
 def load(mode: str, matrix: ArrayLike) -> Callable[[], None]:
@@ -82,7 +77,7 @@ def load(mode: str, matrix: ArrayLike) -> Callable[[], None]:
 
     def act() -> None:
         former = int(gl.glGetIntegerv(gl.GL_MATRIX_MODE))
-        gl.glMatrixMode(cap(mode))
+        gl.glMatrixMode(gl_constant(mode))
         gl.glLoadMatrixd(array)
         gl.glMatrixMode(former)
 

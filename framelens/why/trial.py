@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from framelens.gl.named import gl_function
 from framelens.gl.raw import raw
 from framelens.gl.seam import Call, gl
 from framelens.tape.primitives import Draw, grouped
@@ -260,7 +261,7 @@ def _act(actions: Sequence[Action]) -> None:
         if callable(action):
             action()
         else:
-            getattr(gl, action[0])(*map(_array, action[1]))
+            gl_function(action[0])(*map(_array, action[1]))
 
 
 def _array(value: object) -> object:
@@ -280,8 +281,8 @@ def _thunks(call: Call) -> Iterator[Thunk]:
     if call.name in ("glCallList", "glCallLists"):
         return  # of a list that holds nothing
     for name, args in call.arrays:
-        yield getattr(gl, name), args
-    yield getattr(gl, call.name), call.args
+        yield gl_function(name), args
+    yield gl_function(call.name), call.args
     if call.compiled is not None:
         for inner in call.compiled.calls():
             yield from _thunks(inner)

@@ -45,6 +45,16 @@ class Statement:
     blank: int
     name: str
 
+    @property
+    def is_import(self) -> bool:
+        """Whether it imports something."""
+        return isinstance(self.tree, IMPORTS)
+
+    @property
+    def is_definition(self) -> bool:
+        """Whether it defines a function or a class."""
+        return isinstance(self.tree, DEFINITIONS)
+
 
 def is_parts(code: str) -> bool:
     """Return whether a program's text is one of parts."""
@@ -81,11 +91,11 @@ def assembled(parts: str, start: str, file: Path) -> str:
             whole[at] = replace(part, blank=whole[at].blank)
             at = _insert(waiting, whole, at)
             waiting = []
-        elif isinstance(part.tree, IMPORTS):
+        elif part.is_import:
             place = _place_of_import(part, whole)
             whole.insert(place, part)
             at = at + 1 if at is not None and place <= at else at
-        elif at is not None and isinstance(whole[at].tree, DEFINITIONS):
+        elif at is not None and whole[at].is_definition:
             at += 1
             whole.insert(at, part)
         else:
@@ -105,7 +115,7 @@ def _insert(new: Sequence[Statement], whole: list[Statement], at: int) -> int:
 
     Tables and numbers that come first stand with the others, behind the last of these.
     """
-    first = next((n for n, each in enumerate(new) if isinstance(each.tree, DEFINITIONS)), len(new))
+    first = next((n for n, each in enumerate(new) if each.is_definition), len(new))
     tables = [n for n, each in enumerate(whole[:at]) if isinstance(each.tree, ast.Assign)]
     behind = tables[-1] + 1 if tables else at
     whole[at:at] = new[first:]
@@ -165,7 +175,7 @@ def _name(tree: ast.stmt) -> str:
 
 def _place_of_import(part: Statement, whole: Sequence[Statement]) -> int:
     """Return where an import stands among the others: by section, form and name."""
-    imports = [n for n, each in enumerate(whole) if isinstance(each.tree, IMPORTS)]
+    imports = [n for n, each in enumerate(whole) if each.is_import]
     key = _order(part.tree)
     return next((n for n in imports if _order(whole[n].tree) > key), imports[-1] + 1)
 
@@ -192,10 +202,10 @@ def _joined(whole: Sequence[Statement]) -> Iterator[str]:
 def _blank(before: Statement | None, after: Statement) -> int:
     if before is None:
         return 1
-    if isinstance(before.tree, IMPORTS) and isinstance(after.tree, IMPORTS):
+    if before.is_import and after.is_import:
         return int(_order(before.tree)[0] != _order(after.tree)[0])
-    if isinstance(before.tree, DEFINITIONS) or isinstance(after.tree, DEFINITIONS):
+    if before.is_definition or after.is_definition:
         return 2
-    if isinstance(before.tree, IMPORTS):
+    if before.is_import:
         return max(after.blank, 1)
     return after.blank

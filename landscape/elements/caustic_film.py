@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from framelens.base.errors import InputError
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.texture import Texture
 from landscape.files.assets import Assets
@@ -91,7 +92,7 @@ class CausticFilm:
         """
         first, second, mix = between(films, len(self._textures), smooth)
         for number, texture in ((unit + 1, second), (unit, first)):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{number}"))
+            gl.glActiveTexture(texture_unit(number))
             self._textures[texture].bind()
         return mix
 

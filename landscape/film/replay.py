@@ -148,7 +148,7 @@ class Replay:
         if tick.changes:
             self._change(place, tick.changes)
         walker = place.moved(state.walker, tick.intent, tick.seconds)
-        self._builder.advance(place.scene, walker, tick)
+        self._builder.advance(place.land, walker, tick)
         entered, _ = at_doors(place.doors, walker, tick.intent)
         state = replace(state, walker=walker)
         self.state = state if entered is None else self._passed(state, entered, tick.intent)
@@ -159,7 +159,7 @@ class Replay:
         if name == "wireframe":
             return replace(state, wireframe=not state.wireframe)
         if name in SWITCHES:
-            self._builder.switch(place.scene, name)
+            self._builder.switch(place.land, name)
         elif name in ("fix", "next_fix", "previous_fix", "go_to_fix"):
             if place.kind.fixes:
                 return self._fixed(state, name)

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.texture import edge, mip_levels
 
@@ -58,7 +59,7 @@ class CubeMap:
         kept, form = (forms | {4: (gl.GL_RGBA8, gl.GL_RGBA)})[faces.shape[-1]]
         gl.glPixelStorei(gl.GL_UNPACK_ALIGNMENT, 1)
         for face, image in zip(FACES, faces, strict=True):
-            target = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{face}")
+            target = gl_constant(f"GL_TEXTURE_CUBE_MAP_{face}")
             for level, part in enumerate(mip_levels(image) if mipmaps else [image]):
                 sides = len(part), len(part), 0
                 pixels = np.ascontiguousarray(part)
@@ -81,8 +82,8 @@ class CubeMap:
 def generate(mode: str, coordinates: str = "STR") -> None:
     """Let the active unit generate texture coordinates by a mode, as in "REFLECTION_MAP"."""
     for name in coordinates:
-        gl.glTexGeni(getattr(gl, f"GL_{name}"), gl.GL_TEXTURE_GEN_MODE, getattr(gl, f"GL_{mode}"))
-        gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+        gl.glTexGeni(gl_constant(f"GL_{name}"), gl.GL_TEXTURE_GEN_MODE, gl_constant(f"GL_{mode}"))
+        gl.glEnable(gl_constant(f"GL_TEXTURE_GEN_{name}"))
 
 
 @contextmanager

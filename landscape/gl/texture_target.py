@@ -10,6 +10,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.texture import filter_within_edges
 from landscape.gl.drawing_into import drawing_into, new_texture
@@ -24,7 +25,7 @@ class TextureTarget:
         ``form`` is the internal format without its GL_; "RGBA32F" needs ARB_texture_float.
         """
         self.size = size
-        inner = getattr(gl, f"GL_{form}")
+        inner = gl_constant(f"GL_{form}")
         with new_texture() as self.name:
             pixels = gl.GL_RGB, gl.GL_UNSIGNED_BYTE, None
             gl.glTexImage2D(gl.GL_TEXTURE_2D, 0, inner, *size, 0, *pixels)

@@ -30,6 +30,7 @@ from typing import Self
 
 import numpy as np
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, front_faces, matrix
 from landscape.elements.caustic_film import MixedFilm, shipped, sines
@@ -128,13 +129,13 @@ class Caustics(Element[Settings]):
         """
         with attrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT):
             for unit in (FIRST_FREE + 1, FIRST_FREE):
-                gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+                gl.glActiveTexture(texture_unit(unit))
                 self._lay_net(frame, planes(self.settings))
             combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
             combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "TEXTURE"})
             combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
             self._set_neutral()
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{FIRST_FREE + 1}"))
+            gl.glActiveTexture(texture_unit(FIRST_FREE + 1))
             combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
             combine({"OPERAND1_RGB": "SRC_ALPHA", "COMBINE_ALPHA": "REPLACE"})
             if self.settings.caustics.doubled:

@@ -24,6 +24,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, flat_projection
 from landscape.frame import Frame, Pose
@@ -128,7 +129,7 @@ def cube_around(
         with target.drawing(clear=False), attrib(groups), flat_projection():
             draw(camera(Pose(*place, *FACES[name]), side))
             cube.bind()
-            face = getattr(gl, f"GL_TEXTURE_CUBE_MAP_{name}")
+            face = gl_constant(f"GL_TEXTURE_CUBE_MAP_{name}")
             gl.glCopyTexSubImage2D(face, 0, 0, 0, 0, 0, side, side)
             gl.glBindTexture(gl.GL_TEXTURE_CUBE_MAP, 0)
 
@@ -181,7 +182,7 @@ class Environment:
             if possible("sharper textures"):
                 gl.glTexEnvf(gl.GL_TEXTURE_FILTER_CONTROL, gl.GL_TEXTURE_LOD_BIAS, 0.0)
             for name in ("DEPTH_TEST", "STENCIL_TEST", "LIGHTING", "CULL_FACE", "CLIP_PLANE0"):
-                gl.glDisable(getattr(gl, f"GL_{name}"))
+                gl.glDisable(gl_constant(f"GL_{name}"))
             gl.glColor3f(1.0, 1.0, 1.0)
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
             gl.glEnable(gl.GL_TEXTURE_CUBE_MAP)

@@ -27,6 +27,7 @@ from typing import Self
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import drawing, drawn_now, gl
 from framelens.gl.state import attrib, matrix
 from framelens.gl.texture import Texture
@@ -155,11 +156,11 @@ class Mirror(Element[Settings]):
         (x, y, z), wide = frame.eye.tolist(), 2.0 * REACH
         planes = {"S": (1.0, 0.0, -x), "T": (0.0, 1.0, -z)}
         for name, (along_x, along_z, shift) in planes.items():
-            coordinate = getattr(gl, f"GL_{name}")
+            coordinate = gl_constant(f"GL_{name}")
             gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_OBJECT_LINEAR)
             plane = np.array([along_x, 0.0, along_z, shift]) / (wide * y) + (0.0, 0.0, 0.0, 0.5)
             gl.glTexGenfv(coordinate, gl.GL_OBJECT_PLANE, plane.astype(np.float32))
-            gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+            gl.glEnable(gl_constant(f"GL_TEXTURE_GEN_{name}"))
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
     def draw_underside(self, send: Callable[[], None]) -> None:

@@ -38,6 +38,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import drawing, gl
 from framelens.gl.state import attrib, front_faces, matrix
 from framelens.gl.texture import Texture
@@ -313,10 +314,10 @@ class PlanarShadow(Element[Settings]):
             wide = 2.0 * WIDE * height
             planes = (1.0, 0.0, 0.0, wide / 2 - x), (0.0, 0.0, 1.0, wide / 2 - z)
             for name, plane in zip("ST", planes, strict=True):
-                coordinate = getattr(gl, f"GL_{name}")
+                coordinate = gl_constant(f"GL_{name}")
                 gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_OBJECT_LINEAR)
                 gl.glTexGenfv(coordinate, gl.GL_OBJECT_PLANE, np.array(plane, np.float32) / wide)
-                gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+                gl.glEnable(gl_constant(f"GL_TEXTURE_GEN_{name}"))
 
             gl.glColor3f(*(strength * each for each in FIRELIGHT))
             receiver.send()

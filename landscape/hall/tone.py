@@ -19,6 +19,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from framelens.gl.extensions import antialiased, tell
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection
 from landscape.elements.element import Element
@@ -125,8 +126,8 @@ class Tone(Element[Settings]):
     def _copy(self, frame: Frame) -> None:
         tone = self.settings.tone
         for name in ("RED", "GREEN", "BLUE"):
-            gl.glPixelTransferf(getattr(gl, f"GL_{name}_SCALE"), tone.contrast)
-            gl.glPixelTransferf(getattr(gl, f"GL_{name}_BIAS"), tone.brightness)
+            gl.glPixelTransferf(gl_constant(f"GL_{name}_SCALE"), tone.contrast)
+            gl.glPixelTransferf(gl_constant(f"GL_{name}_BIAS"), tone.brightness)
         gl.glRasterPos2f(-1.0, -1.0)
         gl.glCopyPixels(*frame.corner, *frame.viewport, gl.GL_COLOR)
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection
 from framelens.gl.texture import Texture
@@ -39,7 +40,7 @@ class TonedTexture:
         groups = gl.GL_ENABLE_BIT | gl.GL_TEXTURE_BIT | gl.GL_CURRENT_BIT | gl.GL_POLYGON_BIT
         with self._kept.drawing(), attrib(groups), flat_projection():
             for name in ("DEPTH_TEST", "LIGHTING", "CULL_FACE", "BLEND", "FOG"):
-                gl.glDisable(getattr(gl, f"GL_{name}"))
+                gl.glDisable(gl_constant(f"GL_{name}"))
             gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)
             gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_REPLACE)
             gl.glEnable(gl.GL_TEXTURE_2D)
@@ -57,8 +58,8 @@ class TonedTexture:
             attrib(gl.GL_PIXEL_MODE_BIT | gl.GL_TEXTURE_BIT),
         ):
             for name in COLOURS:
-                gl.glPixelTransferf(getattr(gl, f"GL_{name}_SCALE"), change.scale)
-                gl.glPixelTransferf(getattr(gl, f"GL_{name}_BIAS"), change.bias)
+                gl.glPixelTransferf(gl_constant(f"GL_{name}_SCALE"), change.scale)
+                gl.glPixelTransferf(gl_constant(f"GL_{name}_BIAS"), change.bias)
             self._texture.bind()
             gl.glCopyTexSubImage2D(gl.GL_TEXTURE_2D, 0, 0, 0, 0, 0, *self._kept.size)
             gl.glGenerateMipmap(gl.GL_TEXTURE_2D)

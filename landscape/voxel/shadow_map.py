@@ -23,6 +23,7 @@ from typing import Self
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, flat_projection
 from framelens.gl.texture import Texture
@@ -183,10 +184,10 @@ class ShadowMap(Element[Settings]):
         self.target.bind()
         planes = np.ascontiguousarray(BIAS @ self.matrix, np.float32)
         for name, plane in zip("STRQ", planes, strict=True):
-            coordinate = getattr(gl, f"GL_{name}")
+            coordinate = gl_constant(f"GL_{name}")
             gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
             gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, plane)
-            gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+            gl.glEnable(gl_constant(f"GL_TEXTURE_GEN_{name}"))
 
     def _set_state(self) -> None:
         """Bind the picture, generate its coordinates, and set the equations of the three units."""

@@ -167,7 +167,7 @@ class Walk:
         self._wait("loading")
         with self.inspection.building(), self._progress():
             self.place.open(self._assets, self._seed, plan.only)
-            self._builder.opened(self.place.scene)
+            self._builder.opened(self.place.land)
 
         self.walker = start(plan.pose, self.place.scene, plan.settings)
         self._say(hint(self.place.kind, self._language, system_name, self.hands.keymap))
@@ -252,7 +252,7 @@ class Walk:
             self._stood += seconds
             seconds, intent = 0.0, Intent()
 
-        keys = self._builder.switches(self.place.scene, keys)
+        keys = self._builder.switches(self.place.land, keys)
         place = self.place
         switches, toggled, said = pressed(place.kind, place.settings, keys, self._language)
         changes = self._changes({**toggled, **self._choose()})
@@ -452,7 +452,7 @@ class Walk:
         elif order in ("preferences", "landmarks"):
             self._open_list(order)
         elif order == "save":
-            self._note = self._builder.save(self.place.scene)
+            self._note = self._builder.save(self.place.land)
         else:
             captured = not self.hands.captured if order == "mouse" else order == "capture"
             # With an absolute mouse (2006) the cursor's position matters, so it stays visible.
@@ -529,9 +529,9 @@ class Walk:
             self._say(tick.note)
         before = self.walker
         self.walker = self.place.moved(before, tick.intent, tick.seconds)
-        if said := self._builder.advance(self.place.scene, self.walker, tick):
+        if said := self._builder.advance(self.place.land, self.walker, tick):
             self._say(said)
-        if saved := self._builder.saved(self.place.scene, tick.seconds):
+        if saved := self._builder.saved(self.place.land, tick.seconds):
             self._note = saved
         self._tell_of_walker(before)
         self._size = tick.size
@@ -602,7 +602,7 @@ class Walk:
             self._wireframe = not self._wireframe
             self._tell(name, self._wireframe)
         elif name in SWITCHES:
-            self._builder.switch(self.place.scene, name)
+            self._builder.switch(self.place.land, name)
         elif name in ("fix", "next_fix", "previous_fix", "go_to_fix"):
             if self.place.kind.fixes:
                 self._switch_fix(name)
@@ -737,7 +737,10 @@ class Walk:
         if self.hands.choosing:
             left = 0.0  # a long message would lie over the list
         message, opacity = self._message if left else "", min(left / FADE, 1.0)
-        cross, bar = self.inspection.cross(), self._builder.bar(scene, self._size)
+        cross, bar = (
+            self.inspection.cross(),
+            self._builder.bar(self.place.land, scene.shown, self._size),
+        )
         at_left = self._at_left()
         if self._help:
             at_left = cross = None  # neither could be read over the other
@@ -750,7 +753,7 @@ class Walk:
             cross,
             bar,
             opaque=self._shows_map(),
-            covered=self._builder.covered(scene, self._size),
+            covered=self._builder.covered(self.place.land, self._size),
             right=self.hearing.picture(self._language, self._size, panel.dpi),
         )
 

@@ -1,6 +1,6 @@
 """Digging and building in a walk: how often a held button acts, the bar, the file of the world."""
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Collection, Hashable
 from pathlib import Path
 from typing import NoReturn
 
@@ -47,9 +47,9 @@ class WorldFile:
         """Return the content of the file; None if there is none."""
         return read_world(self._path) if self._path.exists() else None
 
-    def opened(self, scene: object) -> Diggable:
+    def opened(self, scene: Diggable | None) -> Diggable:
         """Change a scene that has been opened as the file says, and return it; InputError."""
-        if not isinstance(scene, Diggable):
+        if scene is None:
             raise InputError(
                 "world {path}: expected a scene of blocks, such as voxel", path=self._path
             )
@@ -119,32 +119,32 @@ class Builder:
         self._changes, self._unsaved = 0, 0.0
         self.changed = {"dig": 0, "place": 0}  # how often blocks were changed by either tool
 
-    def opened(self, scene: object) -> None:
+    def opened(self, land: Diggable | None) -> None:
         """Take note of the scene in which the walk begins; InputError if the file does not fit."""
         if self._file is not None:
-            self._scene = self._file.opened(scene)
+            self._scene = self._file.opened(land)
 
-    def switches(self, scene: object, names: tuple[str, ...]) -> tuple[str, ...]:
+    def switches(self, land: Diggable | None, names: tuple[str, ...]) -> tuple[str, ...]:
         """Return switches as a scene understands them: in one of blocks, digits choose a slot."""
-        if not isinstance(scene, Diggable):
+        if land is None:
             return tuple(name for name in names if name not in SWITCHES)
         return tuple(f"slot_{name}" if name.isdigit() else name for name in names)
 
-    def switch(self, scene: object, name: str) -> None:
+    def switch(self, land: Diggable | None, name: str) -> None:
         """Choose a slot."""
-        if isinstance(scene, Diggable):
-            steps = {"next_slot": scene.slot + 1, "previous_slot": scene.slot - 1}
-            scene.choose(SLOTS.index(name) if name in SLOTS else steps[name])
+        if land is not None:
+            steps = {"next_slot": land.slot + 1, "previous_slot": land.slot - 1}
+            land.choose(SLOTS.index(name) if name in SLOTS else steps[name])
 
-    def advance(self, scene: object, walker: Walker, tick: Tick) -> str:
+    def advance(self, land: Diggable | None, walker: Walker, tick: Tick) -> str:
         """Dig, place and pick what is asked for in a frame; return what to say, or ""."""
         said = ""
-        if isinstance(scene, Diggable):
+        if land is not None:
             for tool in self._due(tick.intent, tick.seconds):
-                before = scene.changes
-                refused = scene.use(tool, walker.pose, walker.body)
+                before = land.changes
+                refused = land.use(tool, walker.pose, walker.body)
                 if tool in self.changed:
-                    self.changed[tool] += scene.changes != before
+                    self.changed[tool] += land.changes != before
                 said = translator(self._language, "scenes")(refused) if refused else said
         return said
 
@@ -161,23 +161,23 @@ class Builder:
                 due.append(tool)
         return due
 
-    def saved(self, scene: object, seconds: float) -> str:
+    def saved(self, land: Diggable | None, seconds: float) -> str:
         """Save some time after a change, a frame of so many seconds later; return what to say.
 
         A replay saves nothing, so it can say this only if it is in the recording.
         """
-        if self._file is None or not isinstance(scene, Diggable):
+        if self._file is None or land is None:
             return ""
-        self._scene = scene
-        if scene.changes != self._changes:
-            self._changes, self._unsaved = scene.changes, self._unsaved or 1e-9
+        self._scene = land
+        if land.changes != self._changes:
+            self._changes, self._unsaved = land.changes, self._unsaved or 1e-9
         if self._unsaved:
             self._unsaved += seconds
         return self._save() if self._unsaved > AUTOSAVE else ""
 
-    def save(self, scene: object) -> str:
+    def save(self, land: Diggable | None) -> str:
         """Save the world, as the user asks for; return what to say of it."""
-        if not isinstance(scene, Diggable):
+        if land is None:
             return words.text(self._language, "world.none")
         if self._file is None:
             return words.text(self._language, "world.no_file")
@@ -192,9 +192,9 @@ class Builder:
             return said(error, self._language)
         return words.text(self._language, "world.saved") if done else ""
 
-    def covered(self, scene: object, size: tuple[int, int]) -> int:
+    def covered(self, land: Diggable | None, size: tuple[int, int]) -> int:
         """Return how many rows at a window's lower edge show something that no message may hide."""
-        return scene.covered(size) if isinstance(scene, Diggable) else 0
+        return land.covered(size) if land is not None else 0
 
     def leave(self) -> None:
         """Save the world at the end of the walk; InputError if that is impossible."""
@@ -203,10 +203,13 @@ class Builder:
             self._file.save(scene)
 
     def bar(
-        self, scene: object, size: tuple[int, int]
+        self, land: Diggable | None, elements: Collection[str], size: tuple[int, int]
     ) -> tuple[Hashable, Callable[[], np.ndarray]] | None:
-        """Return the picture of the bar for a window: what it depends on, and how to make it."""
-        if not isinstance(scene, Diggable) or "crosshair" not in getattr(scene, "shown", ()):
+        """Return the picture of the bar for a window: what it depends on, and how to make it.
+
+        None unless the crosshair is among the ``elements`` that are shown.
+        """
+        if land is None or "crosshair" not in elements:
             return None
-        shows, make = scene.bar(size[1], self._language)
+        shows, make = land.bar(size[1], self._language)
         return (shows, size), make

@@ -45,13 +45,18 @@ class Place:
         assert self._scene is not None
         return self._scene
 
+    @property
+    def land(self) -> Diggable | None:
+        """The open scene as one of blocks; None if it has none."""
+        return self.scene if isinstance(self.scene, Diggable) else None
+
     def shows(self, moment: Moment) -> tuple[object, ...]:
         """Return what the picture of a moment depends on besides the walker.
 
         Settings, elements, changed blocks, and the camera's pose, which may fly by itself.
         """
         scene = self.scene
-        changes = scene.changes if isinstance(scene, Diggable) else 0
+        changes = self.land.changes if self.land is not None else 0
         eye = scene.eye(moment.pose, moment.kt) if isinstance(scene, Flown) else moment.pose
         return self.settings, frozenset(scene.shown), changes, eye
 

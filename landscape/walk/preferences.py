@@ -13,7 +13,6 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any
 
 from framelens.base.errors import InputError, Message, short
 from framelens.base.input import read_bounded
@@ -46,9 +45,13 @@ class Preferences:
     fullscreen: bool = False
     keys: Keymap = field(default_factory=Keymap)
 
-    def with_value(self, name: str, value: Any) -> "Preferences":
+    def value(self, name: str) -> bool | float | str:
+        """Return the value of a name in COMMENTS."""
+        return getattr(self, name)  # type: ignore[no-any-return]
+
+    def with_value(self, name: str, value: object) -> "Preferences":
         """Return them with another value of a name in COMMENTS; it must have its type."""
-        return replace(self, **{name: value})
+        return replace(self, **{name: value})  # type: ignore[arg-type]
 
     def changes(self, kind: type) -> dict[str, declare.Value]:
         """Return the settings, of those that a scene's class ``kind`` has, that they change."""
@@ -107,7 +110,7 @@ def written(preferences: Preferences, language: str = "en") -> str:
     """Return the file's text: each value with what it means, in a language."""
     lines = [_comment(HEAD, language)]
     for name, meaning in COMMENTS.items():
-        value = json.dumps(getattr(preferences, name))
+        value = json.dumps(preferences.value(name))
         lines.append(f"\n{_comment(meaning, language)}\n{name} = {value}")
 
     lines.append(f"\n{_comment(KEYS_HEAD, language)}\n[keys]")

@@ -98,7 +98,7 @@ class PreferencesList:
     def _reset(self) -> None:
         """Bring the chosen row back to its default."""
         if self.row in VALUES:
-            usual = getattr(Preferences(), self.row)
+            usual = Preferences().value(self.row)
             self.preferences = self.preferences.with_value(self.row, usual)
         else:
             keys = self.preferences.keys.without(self.row)
@@ -108,7 +108,7 @@ class PreferencesList:
         """Change the chosen value by a step up or down."""
         if way == 0:
             return
-        value = getattr(self.preferences, self.row)
+        value = self.preferences.value(self.row)
         after = stepped(self.row, value, way)
         self.preferences = self.preferences.with_value(self.row, after)
 
@@ -116,7 +116,7 @@ class PreferencesList:
         """Return what the list shows."""
         lines = [Line(words.text(language, "preferences.comfort"))]
         for row in VALUES:
-            value = shown(row, getattr(self.preferences, row), language)
+            value = shown(row, self.preferences.value(row), language)
             label = words.text(language, f"preference.{row}")
             lines.append(Line(label, value, "", row == self.row))
 
@@ -152,7 +152,8 @@ def stepped(row: str, value: object, way: int) -> object:
         return LANGUAGES[(LANGUAGES.index(value) + way) % len(LANGUAGES)]
     assert isinstance(value, float)
     low, high = LIMITS[row]
-    usual = getattr(Preferences(), row)
+    usual = Preferences().value(row)
+    assert isinstance(usual, float)
     if usual < low and value == usual:
         return 60.0  # from the field of view of each view to one of one's own
     after = round(value + way * STEPS[row], 6)

@@ -15,6 +15,7 @@ from types import FrameType
 
 from framelens.base.errors import InputError, NoOpenGLError
 from framelens.gl.framebuffer import read_pixels
+from framelens.gl.named import gl_constant
 from framelens.gl.notes import Brief, Call
 from framelens.gl.seam import begin_pass, briefly, frame_begins, gl, outermost, recording, unnoted
 from framelens.program import program
@@ -340,7 +341,7 @@ class Witness(ExitStack):
             with unnoted():
                 unit = int(gl.glGetIntegerv(gl.GL_ACTIVE_TEXTURE)) - gl.GL_TEXTURE0
                 now = {
-                    name.format(unit=unit): gl.glGetFloatv(getattr(gl, matrix)).ravel().tolist()
+                    name.format(unit=unit): gl.glGetFloatv(gl_constant(matrix)).ravel().tolist()
                     for name, matrix in MATRICES.items()
                 }
             self._states.append({**self._states[-1], **now})

@@ -17,6 +17,7 @@ from contextlib import contextmanager
 import numpy as np
 
 from framelens.gl.extensions import tell
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, flat_projection
 from landscape.frame import Frame
@@ -118,7 +119,7 @@ class Accumulation:
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
         with attrib(groups), flat_projection():
             for name in ("DEPTH_TEST", "LIGHTING", "CULL_FACE", "FOG", "SCISSOR_TEST"):
-                gl.glDisable(getattr(gl, f"GL_{name}"))
+                gl.glDisable(gl_constant(f"GL_{name}"))
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
             gl.glEnable(gl.GL_TEXTURE_2D)
@@ -135,7 +136,7 @@ class Accumulation:
         groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
         with attrib(groups | gl.GL_DEPTH_BUFFER_BIT), flat_projection():
             for name in ("LIGHTING", "CULL_FACE", "FOG"):
-                gl.glDisable(getattr(gl, f"GL_{name}"))
+                gl.glDisable(gl_constant(f"GL_{name}"))
             gl.glDepthMask(gl.GL_FALSE)
             gl.glEnable(gl.GL_BLEND)
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE_MINUS_SRC_ALPHA)

@@ -13,6 +13,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from framelens.base.fonts import font, writable
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, front_faces, multiply
 from framelens.gl.texture import Texture
@@ -300,14 +301,14 @@ def lit_by(
     groups = gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT
     with attrib(groups), front_faces():
         for name in ("LIGHT0", "LIGHT1"):
-            gl.glDisable(getattr(gl, f"GL_{name}"))
+            gl.glDisable(gl_constant(f"GL_{name}"))
         for name, value in (
             ("AMBIENT", (*ambient, 1.0)),
             ("DIFFUSE", (*(power * each for each in WARM), 1.0)),
             ("SPECULAR", (*(power * each for each in WARM), 1.0)),
             ("POSITION", (*place, 1.0)),
         ):
-            gl.glLightfv(gl.GL_LIGHT2, getattr(gl, f"GL_{name}"), np.array(value, np.float32))
+            gl.glLightfv(gl.GL_LIGHT2, gl_constant(f"GL_{name}"), np.array(value, np.float32))
         gl.glEnable(gl.GL_LIGHT2)
         gl.glEnable(gl.GL_LIGHTING)
         gl.glEnable(gl.GL_COLOR_MATERIAL)

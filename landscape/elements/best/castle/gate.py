@@ -11,6 +11,7 @@ ARB_texture_env_crossbar (OpenGL 1.4); the texture matrix of unit 2.
 
 import numpy as np
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine, matrix
 from framelens.gl.texture import Texture
@@ -86,7 +87,7 @@ class CastleInOnePass(Castle):
         """Send the gate wall as one quad; unit 2 is active afterwards, as it was before."""
         units = self._units()
         for number, (texture, terms, scale, _) in enumerate(units):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{number}"))
+            gl.glActiveTexture(texture_unit(number))
             texture.bind()
             gl.glEnable(gl.GL_TEXTURE_2D)
             combine(terms)
@@ -96,7 +97,7 @@ class CastleInOnePass(Castle):
         gl.glBegin(gl.GL_QUADS)
         for k, (x, y) in enumerate(GATE_CORNERS):
             for number, (*_, coordinates) in enumerate(units):
-                gl.glMultiTexCoord2f(getattr(gl, f"GL_TEXTURE{number}"), *coordinates[k].tolist())
+                gl.glMultiTexCoord2f(texture_unit(number), *coordinates[k].tolist())
             gl.glVertex3f(x, y, 0.0)
         gl.glEnd()
 

@@ -10,6 +10,7 @@ State used: two texture units with their matrices, GL_BLEND, no lighting, fog or
 
 import numpy as np
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, combine, matrix
 from framelens.gl.texture import Texture
@@ -130,7 +131,7 @@ class Glitter:
                 gl.glMatrixMode(gl.GL_MODELVIEW)
 
     def _set_unit(self, unit: int, mode: str, scale: float) -> None:
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        gl.glActiveTexture(texture_unit(unit))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._texture.bind()
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PRIMARY_COLOR", "COMBINE_ALPHA": mode})

@@ -18,6 +18,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import combine, matrix, use_unit
 from framelens.gl.texture import at_most
@@ -64,7 +65,7 @@ def mirror_unit(mirror: Taken | None, unit: int, depths: int | None) -> Iterator
             combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{depths}"})
             combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
 
-        name = getattr(gl, f"GL_TEXTURE{unit}")
+        name = texture_unit(unit)
         gl.glClientActiveTexture(name)
         gl.glEnableClientState(gl.GL_TEXTURE_COORD_ARRAY)
         try:

@@ -18,6 +18,7 @@ State used: four texture units with GL_COMBINE and crossbar (OpenGL 1.4), and th
 
 import numpy as np
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, combine
 from framelens.gl.texture import Texture, mip_levels
@@ -203,7 +204,7 @@ class Ripples:
                     self._lists[-2].call()
                     self._send(grid.triangles[:far])
                 self._lists[-1].call()
-                gl.glClientActiveTexture(getattr(gl, f"GL_TEXTURE{SHARED}"))
+                gl.glClientActiveTexture(texture_unit(SHARED))
                 gl.glTexCoordPointer(2, gl.GL_FLOAT, 0, fine)
                 gl.glColorPointer(4, gl.GL_FLOAT, 0, two)
                 self._send(grid.triangles[far:])
@@ -215,7 +216,7 @@ class Ripples:
     def _set_layers(self) -> None:
         """Bind the first two textures; let the long layer's product be colour and alpha."""
         for unit, texture in ((BODY, self._body), (FIRST, self._layers[LONG])):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+            gl.glActiveTexture(texture_unit(unit))
             texture.bind()
             gl.glEnable(gl.GL_TEXTURE_2D)
         combine({"COMBINE_RGB": "DOT3_RGBA", "SRC0_RGB": "PRIMARY_COLOR", "SRC1_RGB": "TEXTURE"})
@@ -225,31 +226,31 @@ class Ripples:
         """Mix far water: its own colour and the image, by colour; then with the other, by alpha."""
         mix = {"COMBINE_RGB": "INTERPOLATE", "SRC1_RGB": "TEXTURE", "SRC2_RGB": "PREVIOUS"}
         alpha = {"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"}
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
+        gl.glActiveTexture(texture_unit(BODY))
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PRIMARY_COLOR"})
         combine({"OPERAND1_RGB": "SRC_ALPHA", **alpha})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{SHARED}"))
+        gl.glActiveTexture(texture_unit(SHARED))
         combine({**mix, "SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR", **alpha})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LAST}"))
+        gl.glActiveTexture(texture_unit(LAST))
         combine({**mix, "SRC0_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": f"TEXTURE{BODY}"})
 
     def _set_near(self) -> None:
         """Multiply near water's layers, and mix its own colour with one mirror image alone."""
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
+        gl.glActiveTexture(texture_unit(BODY))
         combine({"COMBINE_RGB": "DOT3_RGB", "SRC0_RGB": "PRIMARY_COLOR"})
         combine({"SRC1_RGB": f"TEXTURE{SHARED}", "OPERAND1_RGB": "SRC_COLOR"})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{SHARED}"))
+        gl.glActiveTexture(texture_unit(SHARED))
         self._layers[FINE].bind()
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
         combine({"OPERAND1_RGB": "SRC_ALPHA"})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LAST}"))
+        gl.glActiveTexture(texture_unit(LAST))
         combine({"SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR"})
 
     @staticmethod
     def _set_blended() -> None:
         """Let the colour be the water's own, and alpha the opacity."""
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{BODY}"))
+        gl.glActiveTexture(texture_unit(BODY))
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "TEXTURE"})
         combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "PREVIOUS"})
         combine({"SRC1_ALPHA": "PRIMARY_COLOR"})

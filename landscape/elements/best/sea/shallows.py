@@ -10,6 +10,7 @@ State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 
 import numpy as np
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, combine
 from framelens.gl.texture import Texture
@@ -135,7 +136,7 @@ class Shallows:
 
     def set_unit(self, unit: int) -> None:
         """Let a unit multiply by twice the tint; its alpha is for the next, the mirror image's."""
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        gl.glActiveTexture(texture_unit(unit))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._texture.bind()
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})

@@ -29,6 +29,7 @@ from typing import Self
 
 import numpy as np
 
+from framelens.gl.named import gl_constant
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, combine, matrix
 from landscape.elements import fog, sun
@@ -195,10 +196,10 @@ class UnderWater(Element[Settings]):
             for name, plane in zip(
                 "ST", ((REPEAT, slant, 0.0, 0.0), (0.0, slant, REPEAT, 0.0)), strict=True
             ):
-                coordinate = getattr(gl, f"GL_{name}")
+                coordinate = gl_constant(f"GL_{name}")
                 gl.glTexGeni(coordinate, gl.GL_TEXTURE_GEN_MODE, gl.GL_EYE_LINEAR)
                 gl.glTexGenfv(coordinate, gl.GL_EYE_PLANE, np.array(plane, np.float32))
-                gl.glEnable(getattr(gl, f"GL_TEXTURE_GEN_{name}"))
+                gl.glEnable(gl_constant(f"GL_TEXTURE_GEN_{name}"))
 
             send()
 

@@ -15,6 +15,7 @@ import math
 
 import numpy as np
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import combine
 from framelens.gl.texture import Texture
@@ -86,22 +87,22 @@ class BedLight:
         film = LAST + 1
         fade = LAST + 3
         grey = np.array([0.0, 0.0, 0.0, 0.5], np.float32)
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LAST}"))
+        gl.glActiveTexture(texture_unit(LAST))
         combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{film + 1}"})
         combine({"SRC1_ALPHA": f"TEXTURE{film}", "SRC2_ALPHA": "CONSTANT"})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{film}"))
+        gl.glActiveTexture(texture_unit(film))
         self._lay_net()
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
         combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "PREVIOUS"})
         combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": f"TEXTURE{fade}"})
         gl.glTexEnvfv(env, gl.GL_TEXTURE_ENV_COLOR, grey)
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{film + 1}"))
+        gl.glActiveTexture(texture_unit(film + 1))
         self._lay_net()
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
         combine({"OPERAND1_RGB": "SRC_ALPHA"})
         gl.glTexEnvf(env, gl.GL_RGB_SCALE, 2.0)
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{fade}"))
+        gl.glActiveTexture(texture_unit(fade))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._fade.bind()
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
@@ -126,7 +127,7 @@ class BedLight:
         """Set the units for what is drawn next, beside those of the ground."""
         self._list.call()
         mix = self._film.bind(frame.kt / PERIOD, True, LAST + 1)
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{LAST}"))
+        gl.glActiveTexture(texture_unit(LAST))
         colour = np.array([0.0, 0.0, 0.0, mix], np.float32)
         gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, colour)
 

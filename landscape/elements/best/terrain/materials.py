@@ -13,6 +13,7 @@ from functools import reduce
 import numpy as np
 from PIL import Image
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import combine
 from framelens.gl.texture import Texture
@@ -109,7 +110,7 @@ def mix_units(layers: list[Texture]) -> None:
     ``a`` mixed with ``b`` by ``c`` is a c + b (1 - c), which is GL_INTERPOLATE.
     """
     for unit, layer in enumerate(layers):
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        gl.glActiveTexture(texture_unit(unit))
         layer.bind()
         # The result is opaque.
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "CONSTANT"})
@@ -125,7 +126,7 @@ def look_up(mixture: int) -> None:
     """
     before = False
     for unit, (bit, sources) in enumerate(SOURCES.items()):
-        gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+        gl.glActiveTexture(texture_unit(unit))
         if not mixture & bit:
             gl.glDisable(gl.GL_TEXTURE_2D)
             continue
@@ -135,7 +136,7 @@ def look_up(mixture: int) -> None:
         combine({"COMBINE_RGB": "INTERPOLATE"} | mixed if before else first)
         before = True
 
-    gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{len(SOURCES)}"))
+    gl.glActiveTexture(texture_unit(len(SOURCES)))
 
     # Twice a mid grey leaves the large colour as it is.
     combine({"COMBINE_RGB": "MODULATE" if mixture else "REPLACE", "SRC0_RGB": "TEXTURE"})

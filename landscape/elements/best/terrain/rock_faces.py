@@ -19,6 +19,7 @@ from functools import partial
 import numpy as np
 from PIL import Image
 
+from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import combine
 from framelens.gl.texture import Texture, mip_levels
@@ -231,7 +232,7 @@ class RockFaces:
     def _units(texture: Texture) -> None:
         """Set units 4 and 5: times the grain, times the vertices' colour, each doubled."""
         for unit, source in ((4, "TEXTURE"), (5, "PRIMARY_COLOR")):
-            gl.glActiveTexture(getattr(gl, f"GL_TEXTURE{unit}"))
+            gl.glActiveTexture(texture_unit(unit))
             texture.bind()
             gl.glEnable(gl.GL_TEXTURE_2D)
             combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": source})
