@@ -19,6 +19,7 @@ from pathlib import Path
 
 from framelens.base.errors import InputError, reason
 from framelens.system import is_running
+from framelens.system.beside import beside
 
 ENDING = ".claim"
 BEAT = 20.0  # chosen: seconds between two touches of a claim
@@ -135,8 +136,7 @@ class Claims:
     def kept(self) -> Iterator[None]:
         """Touch the claims of this process for the block, and release them at its end."""
         done = threading.Event()
-        beat = threading.Thread(target=self._touch, args=(done,), daemon=True)
-        beat.start()
+        beat = beside(self._touch, done)
         try:
             yield
         finally:

@@ -9,7 +9,6 @@ one that is not on this machine must speak TLS.
 import ipaddress
 import json
 import logging
-import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import CancelledError, Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -22,6 +21,7 @@ from urllib.parse import urlsplit
 from framelens.base.errors import InputError
 from framelens.base.executor import KILLED, WorkerKilled
 from framelens.base.installation import how_to_add
+from framelens.system.beside import beside
 
 Result = TypeVar("Result")
 
@@ -196,9 +196,7 @@ def engine(given: str, who: Who, refused: Callable[[InputError], None]) -> Itera
 
 def _closed(client: Any) -> None:
     """Close a client; not for ever where its scheduler is gone."""
-    closing = threading.Thread(target=partial(client.close, timeout=2), daemon=True)
-    closing.start()
-    closing.join(5.0)
+    beside(partial(client.close, timeout=2)).join(5.0)
 
 
 def trusted(given: str) -> str:

@@ -20,6 +20,7 @@ from typing import Generic, Protocol, TypeVar
 
 from framelens.base.errors import InputError
 from framelens.system import starting_workers
+from framelens.system.beside import beside
 from framelens.system.processes import begin_worker, one_core
 
 Item = TypeVar("Item")
@@ -102,7 +103,7 @@ _at_work = False
 def _begin(parent: PipeEnd) -> None:
     """Initialise a worker process."""
     begin_worker()
-    threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
+    beside(_end_with, parent)
 
 
 def _end_with(parent: PipeEnd) -> None:

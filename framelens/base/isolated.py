@@ -32,13 +32,19 @@ class Ended(Exception):
 
 
 def started(
-    words: Sequence[str], changes: Mapping[str, str], **options: Any
+    words: Sequence[str],
+    changes: Mapping[str, str],
+    known: Mapping[str, str] = os.environ,
+    /,
+    **options: Any,
 ) -> "subprocess.Popen[bytes]":
-    """Start Python with these words and changes of the environment; ``options`` are Popen's.
+    """Start Python with these words, in the environment ``known`` with changes.
+
+    ``options`` are Popen's.
 
     Who starts it ends it. What it does is to end with its parent, too (``limits.end_with``).
     """
-    return subprocess.Popen([sys.executable, *words], env={**os.environ, **changes}, **options)
+    return subprocess.Popen([sys.executable, *words], env={**known, **changes}, **options)
 
 
 def isolated(

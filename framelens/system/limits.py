@@ -8,6 +8,8 @@ import ctypes
 import sys
 import threading
 
+from framelens.system.beside import beside
+
 if sys.platform == "win32":
     from framelens.system import limits_windows as system
     from framelens.system.limits_windows import (
@@ -112,7 +114,7 @@ class _MemoryWatch:
         self._most = most
         if not self._runs:
             self._runs = True
-            threading.Thread(target=self._look, daemon=True).start()
+            beside(self._look)
 
     def _look(self) -> None:
         while True:

@@ -7,11 +7,12 @@ import os
 import resource
 import signal
 import sys
-import threading
 import time
 from collections.abc import Collection
 from pathlib import Path
 from typing import Any
+
+from framelens.system.beside import beside
 
 assert sys.platform != "win32"
 
@@ -107,7 +108,7 @@ def end_with(parent: int) -> None:
             sleep(PAUSE)
         leave(1)
 
-    threading.Thread(target=look, daemon=True).start()
+    beside(look)
 
 
 def end_group(process: int) -> None:

@@ -7,10 +7,11 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from collections.abc import Collection
 from functools import cache
 from typing import Any
+
+from framelens.system.beside import beside
 
 assert sys.platform == "win32"
 
@@ -149,7 +150,7 @@ def end_with(parent: int) -> None:
         _kernel().WaitForSingleObject(process, INFINITE)
         leave(1)
 
-    threading.Thread(target=wait, daemon=True).start()
+    beside(wait)
 
 
 def end_group(process: int) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from framelens import system
+from framelens.system.beside import beside
 
 LEAST_MEMORY = 1 << 30  # chosen: bytes of memory for each process; the largest scene takes 0.9 GB
 # Environment of a new process, unless the user has set it: llvmpipe draws in the process's own
@@ -49,7 +50,7 @@ def begin_worker() -> None:
             parent.join()
             os._exit(1)
 
-    threading.Thread(target=end_with_parent, daemon=True).start()
+    beside(end_with_parent)
 
 
 class Ending:

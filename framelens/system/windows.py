@@ -17,6 +17,8 @@ from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
+from framelens.system.beside import beside
+
 assert sys.platform == "win32"
 
 # Signals that end a program from outside; SIGBREAK: Ctrl-Break, and a console that closes.
@@ -126,7 +128,7 @@ def _read_apart(file: io.FileIO, size: int, deadline: float) -> Generator[bytes,
                     part = error
                 parts.put(part)
 
-    threading.Thread(target=read, daemon=True).start()
+    beside(read)
     while True:
         try:
             part = parts.get(timeout=max(deadline - time.monotonic(), 0))

@@ -8,7 +8,6 @@ Every combination of states is drawn before it is timed, as llvmpipe compiles co
 
 import json
 import subprocess
-import sys
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -18,6 +17,7 @@ from statistics import median
 from typing import Any, TypeVar
 
 from framelens.base.errors import InputError
+from framelens.base.isolated import started
 from framelens.gl.context import open_context
 from framelens.gl.framebuffer import still_target
 from framelens.gl.replay import Replay
@@ -306,11 +306,12 @@ def measure_startup(options: Options) -> float:
     times = []
     for _ in range(options.starts + 1):
         start = time.perf_counter()  # a clock that all processes of a system share
-        command = [sys.executable, "-c", _FIRST_FRAME, json.dumps(asked)]
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE)
-        if not done.stdout:
+        words = ["-c", _FIRST_FRAME, json.dumps(asked)]
+        with started(words, {}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE) as process:
+            drawn_at, _errors = process.communicate()
+        if not drawn_at:
             raise InputError("bench: the program started in another process drew no frame")
-        times.append((float(done.stdout) - start) * 1e3)
+        times.append((float(drawn_at) - start) * 1e3)
 
     return median(times[1:])
 

@@ -26,9 +26,7 @@ import json
 import os
 import re
 import subprocess
-import sys
 import tempfile
-import threading
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -36,7 +34,9 @@ from pathlib import Path
 from typing import IO
 
 from framelens.base.errors import InputError, NoOpenGLError, UnexpectedError, raised_at
+from framelens.base.isolated import started
 from framelens.system import containment, limits
+from framelens.system.beside import beside
 from landscape.course.grader import confinement
 from landscape.course.grader.budget import MEGABYTES, SECONDS
 from landscape.course.grader.confinement import AUTO, NONE
@@ -316,8 +316,7 @@ class _Spawned:
         self._pipe = self._process.stdout
         self._lines: list[bytes] = []  # the first line, which says whether it is ready
         self._data = bytearray()
-        self._reader = threading.Thread(target=self._read, daemon=True)
-        self._reader.start()
+        self._reader = beside(self._read)
         self._deadline = time.monotonic() + START
         self._looked = time.monotonic()
 
@@ -388,13 +387,13 @@ def _start(
     package = str(Path(__file__).resolve().parents[3])
     paths = [package, *filter(None, [os.environ.get("PYTHONPATH")])]
     contained = contain != NONE and containment.possible()
-    known = confinement.environment() if contained else os.environ
-    return subprocess.Popen(
-        [sys.executable, "-P", "-m", f"landscape.course.grader.{module}", *words],
+    return started(
+        ["-P", "-m", f"landscape.course.grader.{module}", *words],
+        {**THREADS, "PYTHONPATH": os.pathsep.join(paths)},
+        confinement.environment() if contained else os.environ,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=errors,
-        env={**known, **THREADS, "PYTHONPATH": os.pathsep.join(paths)},
         bufsize=0 if module == "sandboxed" else -1,  # whose standard output two readers share
         **limits.OWN_GROUP,
     )

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import IO, NoReturn
 
 from framelens.system import limits
+from framelens.system.copying import copy
 from landscape.course.grader.confinement import LANDLOCK
 from landscape.course.grader.order import Order
 from landscape.course.grader.sandbox import (
@@ -72,20 +73,18 @@ def serve(contain: str) -> None:
         line = select.poll()
         line.register(asked, select.POLLIN)
         while all(event & select.POLLIN for _, event in line.poll()):
-            us = os.getpid()
-            pid = os.fork()
-            if pid == 0:
-                _answer_and_leave(us, asked, replies, ours)
-            status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+            answering = copy()
+            if answering is None:
+                _answer_and_leave(asked, replies, ours)
+            status = os.waitstatus_to_exitcode(os.waitpid(answering.pid, 0)[1])
             if status:
                 sys.exit(f"the process that answers ended ({ended(status, False)})")
 
 
-def _answer_and_leave(parent: int, asked: int, replies: int, ours: Prepared) -> NoReturn:
+def _answer_and_leave(asked: int, replies: int, ours: Prepared) -> NoReturn:
     """Answer a line, in a process of its own, which ends."""
     status = 1
     try:
-        limits.end_with(parent)
         limits.adopt_orphans()
         line = b""
         while not line.endswith(b"\n"):
@@ -216,14 +215,15 @@ def _begin(order: Order, ours: Prepared) -> _Running:
     # Without a name, so that no program can put another file in its place.
     errors = tempfile.TemporaryFile()  # noqa: SIM115
     us = os.getpid()
-    pid = os.fork()
-    if pid == 0:
+    program = copy()
+    if program is None:
         os.setsid()
         limits.close_all_but(answers, errors.fileno())
         run_program(order, us, ours, answers, errors.fileno())
+        os._exit(1)  # not reached: it ends the process
     os.close(answers)
     deadline = time.monotonic() + order["seconds"] + GRACE
-    return _Running(pid, pipe, errors, Path(order["folder"]), order["megabytes"], deadline)
+    return _Running(program.pid, pipe, errors, Path(order["folder"]), order["megabytes"], deadline)
 
 
 def _holds(pid: int) -> tuple[int, int]:
