@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from framelens.base.output import png
-from framelens.tape.strip import Survey, groups, shots
-from framelens.tape.strip import survey as surveyed
+from framelens.tape.strip import groups, shared_values, shots
 from framelens.tape.tape import Tape
 from landscape.files.png_strips import PngStrips
 from landscape.offscreen import Offscreen, Place
@@ -52,7 +51,7 @@ def _layers(tape: Tape, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, 
     and the list has their names.
     """
     parts = groups(tape, "element")
-    found: Survey = surveyed(tape, parts, ("color",))
+    found = shared_values(tape, parts, ("color",))
     before: np.ndarray | None = None
     depth = np.ones(size[::-1], np.float32)
     owner = np.full(size[::-1], -1)

@@ -19,7 +19,7 @@ from framelens.base.errors import InputError
 from framelens.gl.replay import Replay
 from framelens.gl.texture import Texture
 from landscape.bench import bench
-from landscape.bench.grass import WAYS, Blades, ClientArrays, OneByOne, bent, sow, visible
+from landscape.bench.grass import WAYS, Blades, FromClientMemory, OneByOne, bent, sow, visible
 from landscape.bench.timing import Layer, clear
 from landscape.bench.tone import CASES
 from landscape.cli import main
@@ -253,7 +253,7 @@ def test_the_loop_of_2006_makes_a_call_for_every_vertex_and_the_arrays_one(stage
         count = len(visible(blades, frame))
         for way, name, wanted in (
             (OneByOne, "glVertex3f", 5 * count),
-            (ClientArrays, "glDrawElements", 1),
+            (FromClientMemory, "glDrawElements", 1),
         ):
             with recording() as recorder:
                 way(blades, texture).draw(frame)

@@ -22,7 +22,7 @@ from framelens.report.strip_pictures import LAYERS, Tones, stencil_color
 from framelens.state import state
 from framelens.tape.buffers import Buffers
 from framelens.tape.pixel import history
-from framelens.tape.strip import BUFFERS, Shot, groups, shots, survey
+from framelens.tape.strip import BUFFERS, Shot, groups, shared_values, shots
 from framelens.tape.tape import Tape
 from landscape.commands.target import ViewFrame
 from landscape.offscreen import Offscreen
@@ -32,7 +32,7 @@ SIZE = (160, 120)
 
 def strip(tape: Tape, by: str, buffers: tuple[str, ...] = ("color",)) -> list[Shot]:
     parts = groups(tape, by)
-    return list(shots(tape, parts, buffers, survey(tape, parts, buffers)))
+    return list(shots(tape, parts, buffers, shared_values(tape, parts, buffers)))
 
 
 def color(shot: Shot) -> np.ndarray:
@@ -224,7 +224,7 @@ def test_depth_becomes_the_distance_from_the_eye_by_the_projection_in_force(
 
     tape = taped(draw)
     parts = groups(tape, "pass")
-    found = survey(tape, parts, ("depth",))
+    found = shared_values(tape, parts, ("depth",))
     (shot,) = shots(tape, parts, ("depth",), found)
     depth = shot.buffers["depth"]
     assert depth is not None and found.depths is not None
@@ -257,7 +257,7 @@ def test_stencil_values_and_layers_have_the_tones_of_their_legend(
     tape = taped(draw)
     parts = groups(tape, "element")
     assert [part.elements for part in parts] == [[], ["marks"]]
-    found = survey(tape, parts, BUFFERS)
+    found = shared_values(tape, parts, BUFFERS)
     shot = list(shots(tape, parts, BUFFERS, found))[-1]
     tones = Tones(found, "fr")
     middle, width = tape.size[1] // 2, tape.size[0]

@@ -16,7 +16,15 @@ from framelens.report.strip_pictures import Tones
 from framelens.report.strip_words import counted, number, text
 from framelens.tape.edits import as_code
 from framelens.tape.names import element, pass_name
-from framelens.tape.strip import BUFFERS, GROUPINGS, Group, Survey, groups, shots, survey
+from framelens.tape.strip import (
+    BUFFERS,
+    GROUPINGS,
+    Group,
+    SharedValues,
+    groups,
+    shared_values,
+    shots,
+)
 from framelens.tape.tape import Tape
 from framelens.tape.target import Target
 
@@ -106,8 +114,10 @@ def _made(tape: Tape, target: Target, request: Request, suffix: str) -> bytes | 
         return WRITERS[suffix](page, cells())
 
 
-def _page(tape: Tape, parts: Sequence[Group], name: str, request: Request) -> tuple[Page, Survey]:
-    found = survey(tape, parts, request.buffers)
+def _page(
+    tape: Tape, parts: Sequence[Group], name: str, request: Request
+) -> tuple[Page, SharedValues]:
+    found = shared_values(tape, parts, request.buffers)
     page = Page(
         text(request.language, "title", name=Path(name).name),
         _intro(tape, parts, request),
@@ -130,7 +140,7 @@ def _picture(
 
 
 def _cells(
-    tape: Tape, parts: Sequence[Group], request: Request, found: Survey, tones: Tones
+    tape: Tape, parts: Sequence[Group], request: Request, found: SharedValues, tones: Tones
 ) -> Iterator[Cell]:
     before: np.ndarray | None = None
     for index, shot in enumerate(shots(tape, parts, request.buffers, found)):

@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image
 
 from framelens.report.strip_words import number, text
-from framelens.tape.strip import Shot, Survey
+from framelens.tape.strip import SharedValues, Shot
 
 RGB = tuple[int, int, int]
 
@@ -61,7 +61,7 @@ class Legend:
 class Tones:
     """Turns buffers into pictures; the same tone means the same in all pictures of a strip."""
 
-    def __init__(self, found: Survey, language: str) -> None:
+    def __init__(self, found: SharedValues, language: str) -> None:
         self._lens, self._language = found.lens, language
         self._stencil: set[int] = set()
         values = found.depths or (0.0, 1.0)

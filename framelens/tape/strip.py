@@ -122,7 +122,7 @@ def _finish(group: Group, pending: Sequence[Step]) -> list[Step]:
 
 
 @dataclass(frozen=True)
-class Survey:
+class SharedValues:
     """Values shared by all pictures of a strip.
 
     ``lens`` tells distances from depths, and ``depths`` are the least and the greatest depth drawn
@@ -154,10 +154,10 @@ def _ends(depth: np.ndarray | None) -> list[float]:
     return [float(drawn.min()), float(drawn.max())] if drawn.size else []
 
 
-def survey(tape: Tape, parts: Sequence[Group], buffers: Sequence[str]) -> Survey:
+def shared_values(tape: Tape, parts: Sequence[Group], buffers: Sequence[str]) -> SharedValues:
     """Draw the frame once, in its context, to learn what ``buffers`` need."""
     if not {"depth", "overdraw"} & set(buffers):
-        return Survey(Lens())
+        return SharedValues(Lens())
     tape.rewind()
     player = _Player()
     counter = LayerCounter(tape.size) if "overdraw" in buffers else None
@@ -185,7 +185,7 @@ def survey(tape: Tape, parts: Sequence[Group], buffers: Sequence[str]) -> Survey
         player.release()
         tape.rewind()
 
-    return Survey(lens, (min(depths), max(depths)) if depths else None, layers)
+    return SharedValues(lens, (min(depths), max(depths)) if depths else None, layers)
 
 
 def _packed(layers: np.ndarray) -> bytes:
@@ -193,7 +193,7 @@ def _packed(layers: np.ndarray) -> bytes:
 
 
 def shots(
-    tape: Tape, parts: Sequence[Group], buffers: Sequence[str], found: Survey
+    tape: Tape, parts: Sequence[Group], buffers: Sequence[str], found: SharedValues
 ) -> Iterator[Shot]:
     """Draw the frame in its context, and yield the buffers after each group.
 
@@ -238,7 +238,7 @@ class _Player:
 
 
 def _read(
-    tape: Tape, group: Group, buffers: Sequence[str], found: Survey, index: int
+    tape: Tape, group: Group, buffers: Sequence[str], found: SharedValues, index: int
 ) -> dict[str, np.ndarray | None]:
     box = (0, 0, *tape.size)
     if group.aside:

@@ -42,7 +42,7 @@ DRAWS = ("glDrawArrays", "glDrawElements", "glDrawRangeElements")
 ARRAY_BUFFER, ELEMENTS = 0x8892, 0x8893
 
 
-class Buffers:
+class UploadedArrays:
     """The contents of the program's buffer objects, and where its pointers point.
 
     Follows all calls that the tape has; pointers set frames ago come from the last setters.
@@ -79,7 +79,7 @@ def arrays(survey: Survey) -> Iterator[Suspect]:
     """The arrays of each draw, against what lies in their buffers."""
     if not any(draw.call.name in DRAWS for draw in survey.shapes):
         return
-    buffers = Buffers(survey)
+    buffers = UploadedArrays(survey)
     done: set[tuple[str, int]] = set()
     for draw in survey.shapes:
         if draw.call.name not in DRAWS:
@@ -101,7 +101,7 @@ def _enabled(draw: Drawn, kind: str) -> bool:
     return bool(draw.state.get(name))
 
 
-def _not_enabled(draw: Drawn, buffers: Buffers) -> Iterator[Suspect]:
+def _not_enabled(draw: Drawn, buffers: UploadedArrays) -> Iterator[Suspect]:
     pointers, _ = buffers.at.get(draw.number, ({}, {}))
     for kind, (call, buffer) in pointers.items():
         if _enabled(draw, kind) or kind in buffers.enabled:
@@ -136,7 +136,7 @@ def _point(call: Call, buffer: int, args: Any = None) -> None:
 
 
 def _pointer(
-    survey: Survey, draw: Drawn, kind: str, call: Call, buffer: int, buffers: Buffers
+    survey: Survey, draw: Drawn, kind: str, call: Call, buffer: int, buffers: UploadedArrays
 ) -> Iterator[Suspect]:
     """Yield what is wrong with an array, the likeliest mistake alone."""
     type_, stride = int(call.args[-3]), int(call.args[-2])
@@ -167,7 +167,7 @@ def _pointer(
         yield from _stride(draw, kind, call, buffer, stride, row, wanted.itemsize * size)
 
 
-def _rows(draw: Drawn, buffer: int, buffers: Buffers, pointer: object) -> np.ndarray | None:
+def _rows(draw: Drawn, buffer: int, buffers: UploadedArrays, pointer: object) -> np.ndarray | None:
     """Return the array that a pointer alone reads; None for one of several in a buffer."""
     if isinstance(pointer, np.ndarray):
         return pointer
@@ -397,7 +397,7 @@ def _stride(
 
 
 def _indices(
-    survey: Survey, draw: Drawn, bound: dict[int, int], buffers: Buffers
+    survey: Survey, draw: Drawn, bound: dict[int, int], buffers: UploadedArrays
 ) -> Iterator[Suspect]:
     call = draw.call
     kind, indices = int(call.args[-2]), call.args[-1]
@@ -455,7 +455,7 @@ def _index_type(
     )
 
 
-def _count(draw: Drawn, pointers: Any, buffers: Buffers) -> Iterator[Suspect]:
+def _count(draw: Drawn, pointers: Any, buffers: UploadedArrays) -> Iterator[Suspect]:
     """Suspect a count of vertices below those that there are."""
     call = draw.call
     if call.name == "glDrawElements":

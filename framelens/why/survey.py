@@ -24,7 +24,7 @@ from framelens.tape.steps import Step
 from framelens.tape.tape import Tape
 from framelens.why.flat import flattened
 from framelens.why.geometry import Placed, Vertices, array_now, placed, vertices
-from framelens.why.trial import NOTHING, Around, Change, Item, Refused, Trial, changed, counted
+from framelens.why.trial import NOTHING, Around, CallFailed, Change, Item, Trial, changed, counted
 
 ENABLES = (
     *("GL_CULL_FACE", "GL_DEPTH_TEST", "GL_STENCIL_TEST", "GL_ALPHA_TEST", "GL_SCISSOR_TEST"),
@@ -222,7 +222,7 @@ class Survey:
         return draw.passed > 0 and draw.changed != 0
 
 
-class Pixel:
+class PickedPixel:
     """Counts fragments at one pixel alone."""
 
     def __init__(self, x: int, y: int) -> None:
@@ -319,7 +319,7 @@ def survey(tape: Tape, pixel: tuple[int, int] | None) -> Survey:
     draws, errors = walk.draws, walk.errors
     try:
         trial.run(NOTHING, walk.make, walk.step)
-    except Refused as error:
+    except CallFailed as error:
         place = trial.items[len(draws)].place if draws else ""
         call = draws[-1].call if draws else (tape.frame[-1] if tape.frame else None)
         if call is not None:
@@ -348,7 +348,7 @@ def _count(trial: Trial, draws: Sequence[Drawn], pixel: tuple[int, int] | None) 
     for draw, inside, all_ in zip(draws, passed, covered, strict=False):
         draw.passed, draw.covered = inside, all_
     if pixel:
-        here = Pixel(pixel[0], trial.size[1] - 1 - pixel[1]).around()
+        here = PickedPixel(pixel[0], trial.size[1] - 1 - pixel[1]).around()
         at = trial.counts(Change(around=(here,))) or nothing
         over = trial.counts(Change(around=(untested(), here))) or nothing
         for draw, inside, all_ in zip(draws, at, over, strict=False):
@@ -384,4 +384,4 @@ def _short(error: Exception) -> str:
     return bytes(said).decode(errors="replace") if said else type(error).__name__
 
 
-__all__ = ["Drawn", "Pixel", "Survey", "array_now", "survey", "untested"]
+__all__ = ["Drawn", "PickedPixel", "Survey", "array_now", "survey", "untested"]

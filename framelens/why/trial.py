@@ -110,7 +110,7 @@ class Trial:
         """Return the picture, uint8 (h, w, 3), top row first; None where OpenGL refuses a call."""
         try:
             self.run(change)
-        except Refused:
+        except CallFailed:
             return None
         return self.read()
 
@@ -135,7 +135,7 @@ class Trial:
 
         try:
             self.run(change, draw)
-        except Refused:
+        except CallFailed:
             return None
         return [
             0
@@ -152,7 +152,7 @@ class Trial:
     ) -> None:
         """Draw the frame; ``draw`` is given each draw to make, ``step`` told of each other step.
 
-        Refused if a call raises an error.
+        CallFailed if a call raises an error.
         """
         self.times += 1
         _end_list()
@@ -175,7 +175,7 @@ class Trial:
                     _act(change.first)
                 self._drawn(item, change, draw)
         except Exception as error:
-            raise Refused(str(error)) from error
+            raise CallFailed(str(error)) from error
         finally:
             _end_list()
 
@@ -238,7 +238,7 @@ def _end_list() -> None:
         raw.glEndList()
 
 
-class Refused(Exception):
+class CallFailed(Exception):
     """OpenGL has refused a call of a changed frame."""
 
 

@@ -1,4 +1,4 @@
-"""The cost of the grass: by number of blades, and in four ways from 2006 on (bench_grass.py)."""
+"""The cost of the grass: by number of blades, and in four ways from 2006 on (grass.py)."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -92,7 +92,7 @@ def measure_ways(
     seed: int,
     rounds: int,
 ) -> list[dict[str, Any]]:
-    """Draw the same blades in four ways, the report's first (see bench_grass.py).
+    """Draw the same blades in four ways, the report's first (see grass.py).
 
     Returns for each its ``name``, the blades on the land (``count``), and the ``ms`` of a frame.
     """

@@ -4,11 +4,11 @@ All four show the same picture; what differs is who does the work, and how often
 
 - :class:`OneByOne`, as in 2006: a loop tests every blade of the land and sends what it keeps
   vertex by vertex (glBegin, glEnd). In C each call cost 12 ns; from Python it costs 400.
-- :class:`ClientArrays`: numpy tests all blades and bends the visible ones; one glDrawElements
+- :class:`FromClientMemory`: numpy tests all blades and bends the visible ones; one glDrawElements
   sends them.
 - :class:`VertexBuffer`: the same, but the driver gets the blades in a buffer object of OpenGL 1.5,
   orphaned first, so that it need not wait for the previous frame.
-- :class:`Compiled`: a display list of the blades that one frame shows. It is the fastest, because
+- :class:`CompiledList`: a display list of the blades that one frame shows. It is the fastest, as
   nothing is selected or bent again, but it fits only one pose and one instant of wind: it gives the
   lower bound.
 
@@ -127,7 +127,7 @@ class OneByOne:
         """Nothing is owned."""
 
 
-class ClientArrays:
+class FromClientMemory:
     """Blades tested and bent by numpy, sent from client memory each frame."""
 
     name = "client arrays"
@@ -195,14 +195,14 @@ class VertexBuffer:
             self._names = []
 
 
-class Compiled:
+class CompiledList:
     """A display list, compiled at the first frame: what OpenGL alone needs for these blades."""
 
     name = "display list, no wind"
 
     def __init__(self, blades: Blades, texture: Texture) -> None:
         """Keep the blades until they are compiled."""
-        self._arrays = ClientArrays(blades, texture)
+        self._arrays = FromClientMemory(blades, texture)
         self._list: DisplayList | None = None
 
     def draw(self, frame: Frame) -> None:
@@ -217,4 +217,4 @@ class Compiled:
             self._list.release()
 
 
-WAYS = (OneByOne, ClientArrays, VertexBuffer, Compiled)
+WAYS = (OneByOne, FromClientMemory, VertexBuffer, CompiledList)

@@ -55,7 +55,7 @@ class Options:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class WalkedFrame:
     """A frame of a walk: what it showed, with its detail, and the rung of the pace."""
 
     moment: Moment
@@ -148,12 +148,12 @@ def _measure(walk: Walk, options: Options) -> dict[str, float]:
     }
 
 
-def _walk(walk: Walk, seconds: float) -> tuple[list[Drawn], float]:
+def _walk(walk: Walk, seconds: float) -> tuple[list[WalkedFrame], float]:
     """Walk for so many seconds; return the frames, and the time that they took.
 
     It ends where a door would lead to another scene.
     """
-    frames: list[Drawn] = []
+    frames: list[WalkedFrame] = []
     place = walk.place
     begin = now = glfw.get_time()
     while now - begin < seconds:
@@ -167,7 +167,9 @@ def _walk(walk: Walk, seconds: float) -> tuple[list[Drawn], float]:
         if walk.place is not place:
             break
         walk.draw()
-        frames.append(Drawn(replace(walk.moment, detail=walk.steady.detail), walk.steady.level))
+        frames.append(
+            WalkedFrame(replace(walk.moment, detail=walk.steady.detail), walk.steady.level)
+        )
         walk.present()
         now = glfw.get_time()
 
