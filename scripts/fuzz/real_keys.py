@@ -11,7 +11,8 @@ are read from a file in the place of GLFW, which finds no gamepad in an Xvfb. It
 process
 
 - writes to standard error, or ends with another status than 0;
-- shows no frame for STUCK seconds, or does not end within PATIENCE seconds of being asked to;
+- shows no frame, and no progress of a scene that it opens, for STUCK seconds, or does not end
+  within PATIENCE seconds of being asked to;
 - takes GROWTH MB more at the end than in the first half of the time in the scenes it has come to;
 - or, for a walk, if a frame is replayed with another pose or another pixel. Every OFTEN-th frame is
   drawn once more in all detail, as a replay draws it, and its checksum compared. The inspector
@@ -45,6 +46,7 @@ SCENES = ("island", "hall", "voxel", "flyover")
 SCREEN = 1920, 1080
 MANAGERS = "openbox", "icewm", "xfwm4"  # Alt+F4 closes a window in each of them
 PAD = "pad.json"  # what holds the buttons and axes of a gamepad that there is not
+BUILT = "built"  # a file that is as old as the last part of a scene that was built
 OFTEN = 10  # chosen: frames between two that are compared
 STUCK, PATIENCE = 60.0, 20.0  # seconds, chosen for a busy machine
 GROWTH = 150.0  # MB, chosen
@@ -65,6 +67,7 @@ def watched(outcome: Path, words: list[str]) -> int:
     from landscape.flyover.app.window import Flying
     from landscape.walk.app import Walk
     from landscape.walk.pad import Pad, PadState
+    from landscape.walk.waiting import Waiting
 
     faulthandler.register(signal.SIGUSR1)
     lines = outcome.open("w")
@@ -119,7 +122,12 @@ def watched(outcome: Path, words: list[str]) -> int:
         if "--replay" not in words:
             walk._pad = Pad(read_pad)
 
-    walk_begins = Walk.__init__
+    def step(waiting: Any, *given: Any) -> None:
+        outcome.with_name(BUILT).touch()
+        waiting_steps(waiting, *given)
+
+    waiting_steps, walk_begins = Waiting.step, Walk.__init__
+    Waiting.step = step  # type: ignore[method-assign]
     Walk.__init__, Walk.present = begin, present  # type: ignore[method-assign]
     Flying.draw = draw  # type: ignore[method-assign]
     return main(words)
@@ -369,6 +377,8 @@ def played(
                 known, memory = len(scenes), memory[-1:]
 
             quiet = time.monotonic() - watcher.last["at"]
+            if (folder / BUILT).exists():
+                quiet = min(quiet, time.time() - (folder / BUILT).stat().st_mtime)
             if quiet > STUCK / 6:  # a full-screen window that lost the focus has gone by itself
                 screen.do("windowactivate" if screen.manager else "windowfocus", window)
             if quiet > STUCK:
