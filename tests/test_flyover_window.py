@@ -21,6 +21,7 @@ from landscape.settings.declare import get, next_value, with_settings
 from landscape.walk import words
 from landscape.walk.free_flight import LEAST, STEEPEST, advance, moves
 from landscape.walk.keymap import Keymap
+from landscape.walk.opening import EMPTY
 from landscape.walk.preferences import Preferences
 from landscape.walk.walker import Intent
 
@@ -127,6 +128,32 @@ def test_escape_ends_the_flight(flying: Flying) -> None:
     assert not flying.listen() and flying.listen()
 
 
+def test_escape_shuts_the_list_of_keys_before_it_ends_the_flight(flying: Flying) -> None:
+    for keys in [glfw.KEY_H], [glfw.KEY_ESCAPE], [glfw.KEY_H, glfw.KEY_ESCAPE]:
+        for key in keys:
+            press(flying, key)
+        assert flying.listen()
+        assert flying._help == (keys == [glfw.KEY_H])
+    press(flying, glfw.KEY_ESCAPE)
+    assert not flying.listen()
+
+
+def test_the_window_says_that_it_loads_until_there_is_a_picture() -> None:
+    need_library("OSMesa")
+    window = Flying(open_environment("island"), Settings(), SIZE, "en", headless=True)
+    try:
+        assert window.context is not None
+        window.context.make_current()
+        loading = read_pixels(window.context.pixels())
+        assert (loading[0, 0] == EMPTY).all(), "it is not black"
+        assert loading.max() > 200, "with letters on it"
+        window._until = 0.0  # as after a first picture that took long
+        window.draw()
+        assert window._message == "H: keys" and window._until > glfw.get_time()
+    finally:
+        window.close()
+
+
 def test_free_flight_goes_where_the_camera_looks_and_never_into_the_ground(flying: Flying) -> None:
     camera = Camera(100.0, 100.0, 500.0, 0.3, math.radians(30), math.radians(90))
     moved = advance(camera, Intent(forward=1.0), flying.terrain, 10.0, 1.0)
@@ -197,9 +224,8 @@ def test_it_heeds_the_preferences_and_has_no_list_of_settings() -> None:
             window.key(key, glfw.RELEASE)
         press(window, glfw.KEY_LEFT)
         assert window.hands.take()[0].turn == -1.0
-        usual = window._panel.dpi
         window.draw()
-        assert window._panel.dpi > usual
+        assert window._panel.dpi > window._dpi
     finally:
         window.close()
 

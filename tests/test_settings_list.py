@@ -5,11 +5,13 @@ import pytest
 from folded import each
 
 from framelens.base.fonts import font
+from framelens.inspector.panel import KEYS, enlarged
 from landscape.elements.settings import Settings, preset
 from landscape.island.island import ELEMENTS
 from landscape.settings import declare
+from landscape.walk import list_image as list_pictures
 from landscape.walk import settings_list
-from landscape.walk.list_image import list_image, visible, wrapped
+from landscape.walk.list_image import layout, list_image, visible, wrapped
 from landscape.walk.settings_list import Chooser, heading, rows, step_of, stepped, written
 
 pytestmark = pytest.mark.window
@@ -184,6 +186,40 @@ def test_the_picture_of_the_list_fits_and_shows_the_chosen_row(size, language: s
     if size[0] >= 320:
         assert len({picture.shape for picture in pictures}) == 1, "the plate must not jump"
     assert not np.array_equal(pictures[0], pictures[2])
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
+def test_a_larger_size_of_texts_makes_the_rows_of_a_list_larger(size) -> None:
+    shown = page(BEST, BEST, "fog.end", "", "en")
+    usual = layout(shown, size)
+    for times in (1.25, 1.5):
+        larger = layout(shown, size, enlarged(size, 1.0, times))
+        assert larger.pixels == pytest.approx(times * usual.pixels, abs=1.0)
+        assert larger.width <= 0.8 * size[0] and larger.height <= size[1]
+
+
+def test_a_list_says_how_many_rows_there_are_beyond_its_ends(monkeypatch) -> None:
+    said = []
+    monkeypatch.setattr(
+        list_pictures, "announce", lambda _, count, above, *__: said.append((count, above))
+    )
+    for name in ("time", "fog.end", list(ROWS)[-1]):
+        shown = page(BEST, BEST, name, "", "en")
+        laid = layout(shown, (1280, 720))
+        said.clear()
+        list_image(shown, (1280, 720))
+        hidden = len(shown.lines) - laid.end
+        assert said == [(n, above) for n, above in ((laid.first, True), (hidden, False)) if n]
+        assert said, "no list of all settings fits"
+
+
+def test_the_number_of_rows_below_has_a_line_of_its_own() -> None:
+    size = (1280, 720)
+    shown = page(BEST, BEST, "time", "", "en")
+    laid = layout(shown, size)
+    image = list_image(shown, size)
+    last = laid.top + (laid.end - laid.first) * laid.line_height
+    assert (image[last : last + laid.line_height, -2 * laid.pixels :] == (*KEYS, 255)).all(2).any()
 
 
 def test_a_long_list_scrolls_and_keeps_the_chosen_row_in_its_middle() -> None:

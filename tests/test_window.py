@@ -764,6 +764,66 @@ def test_the_help_and_what_is_opened_beside_it_never_lie_over_each_other() -> No
     assert seen[-1][2] == "nothing to save here"
 
 
+HURRIED = """
+import json
+import glfw
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.scene.scene import scene
+from landscape.walk.app import Walk
+from landscape.walk.recording import Plan
+
+hall = scene("hall")
+plan = Plan("hall", hall.settings, "", Pose(1.6, None, 2.6), (160, 120), only=("floor",))
+seen = []
+with Walk(plan, Assets(), "osmesa") as walk:
+    # Both keys of a pair within one frame, as where a frame takes a second.
+    for keys in [glfw.KEY_H], [glfw.KEY_H, glfw.KEY_B], [glfw.KEY_B], [glfw.KEY_H, glfw.KEY_B]:
+        for key in keys:
+            walk.hands.key(key, glfw.PRESS)
+        walk.advance(walk.listen())
+        seen.append([walk._help, walk.hands.choosing])
+print(json.dumps(seen))
+"""
+
+
+def test_the_help_does_not_hide_a_list_that_is_opened_within_the_same_frame() -> None:
+    done = python(HURRIED, env=environment(LANG="C"))
+    assert done.status == 0, done.err
+    listed = [False, "landmarks"]
+    assert json.loads(done.out) == [[True, ""], listed, [False, ""], listed]
+
+
+FLOWN_TO = """
+import json
+from landscape.elements.settings import preset
+from landscape.files.assets import Assets
+from landscape.frame import Pose
+from landscape.walk.app import Walk
+from landscape.walk.recording import Plan, Tick
+from landscape.walk.walker import Intent
+
+plan = Plan("island", preset("2006"), "", Pose(8.0, None, 33.5, 25.0), (160, 120), only=("fog",))
+seen = []
+with Walk(plan, Assets(), "osmesa") as walk:
+    # R1 is looked at on foot, R2 from the air.
+    for names in ["go_to_fix"], ["next_fix", "go_to_fix"], ["go_to_fix"]:
+        for name in names:
+            walk.advance(Tick(0.1, Intent(), (name,), (160, 120)))
+        seen.append([walk.walker.flying, walk._message])
+print(json.dumps(seen))
+"""
+
+
+def test_whoever_goes_to_a_fix_and_flies_there_is_told_so() -> None:
+    done = python(FLOWN_TO, env=environment(LANG="C"))
+    assert done.status == 0, done.err
+    seen = json.loads(done.out)
+    assert [flying for flying, _ in seen] == [False, True, True]
+    assert ["(in flight; F: walk)" in message for _, message in seen] == [False, True, False]
+    assert seen[1][1].startswith("R2  ")
+
+
 @pytest.mark.seldom(6, first=3)
 def test_the_title_is_met_in_a_window_and_one_key_leaves_it(
     screen: dict[str, str], tmp_path: Path

@@ -435,7 +435,7 @@ class Walk:
 
     def obey(self, order: str) -> None:
         """Carry out an order to the window; recordings do not contain orders."""
-        if order == "quit" and self._help != (self.hands.pressed("help") % 2 == 1):
+        if order == "quit" and self._helps():
             self.hands.switch("help")  # who reads it wants to be back in the walk
         elif order == "quit" and self._titled:
             self.to_title = True
@@ -471,9 +471,13 @@ class Walk:
         if order == "preferences" and not opened.open:
             self._keep()
 
+    def _helps(self) -> bool:
+        """Whether the list of keys is shown once the switches noted so far are done."""
+        return self._help != (self.hands.pressed("help") % 2 == 1)
+
     def _close_help(self) -> None:
         """Close the list of keys, which would hide what is opened."""
-        if self._help:
+        if self._helps():
             self.hands.switch("help")
 
     def _inspect(self, scale: float) -> bool:
@@ -691,6 +695,7 @@ class Walk:
         """Choose a fix, go where it shows, or turn it on or off; then show its name and state."""
         way = {"next_fix": 1, "previous_fix": -1}.get(name, 0)
         fix = self.place.choose_fix(way)
+        on_foot = not self.walker.flying
         if name == "go_to_fix":
             self.walker = start(fix.pose(False), self.place.scene, self.place.settings)
         on = declare.with_settings(self.place.settings, fix.on) == self.place.settings
@@ -698,7 +703,13 @@ class Walk:
             if not self._apply(fix.off if on else fix.on):
                 return
             on = not on
-        self._say(words.fix_state(self._language, fix.name, fix.title, on))
+        says = words.fix_state(self._language, fix.name, fix.title, on)
+        if on_foot and self.walker.flying:
+            # Whoever does not know would rise at the first jump.
+            claimed = self.place.kind.letters
+            letter = self.hands.keymap.labels("fly", self._language, system_name, claimed)
+            says = self._word("in_flight", says=says, letter=letter)
+        self._say(says)
 
     def _tell(self, name: str, value: declare.Value) -> None:
         self._say(words.state(self._language, name, value))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
 from framelens.base.fonts import font, writable
 from framelens.inspector.panel import KEYS, PLATE, SMALLEST, TITLE, WORDS, text_size, wrapped
@@ -14,7 +14,8 @@ from landscape.walk.settings_list import Line, Page
 
 SIZE = 0.8  # chosen: of the panel's text, so that the list leaves most of the picture free
 SPACING = 1.35  # chosen: line height, in font sizes
-WIDEST = 0.48  # chosen: of the window's width
+WIDEST = 0.48  # chosen: of the window's width, with text of the usual size
+WHOLE = 0.8  # chosen: of the window's width, with larger text
 WIDE = 40  # chosen: of a text to be read, in font sizes
 LEAST = 12  # chosen: pixels, the list's font size unless the window's text is smaller still
 CHOSEN = (88, 84, 58, 225)  # chosen: RGBA behind the chosen row
@@ -26,6 +27,16 @@ def visible(lines: tuple[Line, ...], count: int) -> tuple[int, int]:
     chosen = next((k for k, line in enumerate(lines) if line.chosen), 0)
     first = max(min(chosen - count // 2, len(lines) - count), 0)
     return first, min(first + count, len(lines))
+
+
+def widest(size: tuple[int, int], dpi: float) -> float:
+    """Return how many pixels wide a list may be in a window of ``size`` pixels.
+
+    Whoever wants larger text gives it more of the window: within the usual width long rows would
+    not let it grow.
+    """
+    times = text_size(size, dpi) / text_size(size)
+    return min(WIDEST * max(times, 1.0), WHOLE) * size[0]
 
 
 @lru_cache(maxsize=8)
@@ -70,7 +81,7 @@ def _fitting(page: Page, size: tuple[int, int], dpi: float) -> tuple[int, float,
     for pixels in range(max(round(SIZE * largest), min(LEAST, largest)), SMALLEST - 1, -1):
         names, values = _columns(known, pixels)
         width = int(names + values + 4 * pixels)
-        if width <= WIDEST * size[0]:
+        if width <= widest(size, dpi):
             break
     return pixels, names, width
 
@@ -94,7 +105,10 @@ def layout(page: Page, size: tuple[int, int], dpi: float = 1.0) -> Layout:
 
     around = 3 * edge + (1 + len(below)) * line_height
     height = max(int(0.94 * size[1]), around + line_height)
-    first, end = visible(page.lines, (height - around) // line_height)
+    count = (height - around) // line_height
+    if count < len(page.lines):
+        count = max(count - 1, 1)  # the last line says how many there are below
+    first, end = visible(page.lines, count)
     return Layout(pixels, names, width, height, first, end, below)
 
 
@@ -146,11 +160,41 @@ def list_image(page: Page, size: tuple[int, int], dpi: float = 1.0) -> np.ndarra
         for x, text, colour in _texts(line, laid):
             write(x, y, text, colour)
         y += line_height
+    _announce_hidden(draw, laid, len(page.lines))
     y = laid.height - edge - len(laid.below) * line_height
     for text in laid.below:
         write(edge, y, text, WORDS)
         y += line_height
     return np.asarray(image)
+
+
+def _announce_hidden(draw: ImageDraw.ImageDraw, laid: Layout, count: int) -> None:
+    """Draw how many of ``count`` rows there are above and below those that are shown."""
+    face = font(laid.pixels)
+    right, half = laid.width - laid.pixels, laid.line_height // 2
+    if laid.first:
+        announce(draw, laid.first, True, (right, laid.pixels + half), face)
+    if hidden := count - laid.end:
+        below = laid.top + (laid.end - laid.first) * laid.line_height
+        announce(draw, hidden, False, (right, below + half), face)
+
+
+def announce(
+    draw: ImageDraw.ImageDraw,
+    count: int,
+    above: bool,
+    right: tuple[int, int],
+    face: ImageFont.FreeTypeFont,
+) -> None:
+    """Draw how many rows there are beyond an end of a list: a number and an arrow.
+
+    ``right`` is the middle of their right edge in pixels.
+    """
+    half = max(round(face.size / 3), 1)
+    x, y = right[0] - half, right[1]
+    tip, foot = (y - half, y + half) if above else (y + half, y - half)
+    draw.polygon(((x - half, foot), (x + half, foot), (x, tip)), KEYS)
+    draw.text((x - 2 * half, y), str(count), KEYS, face, "rm")
 
 
 def _set(
@@ -159,7 +203,7 @@ def _set(
     """Return the largest size of letters in which paragraphs fit, their width, and their lines."""
     for pixels in range(text_size(size, dpi), SMALLEST - 1, -1):
         face = font(pixels)
-        width = round(min(WIDEST * size[0], WIDE * pixels))
+        width = round(min(widest(size, dpi), WIDE * pixels))
         paragraphs = [wrapped(writable(text, face), face, width - 2 * pixels) for text in texts]
         if _height(paragraphs, pixels) <= 0.94 * size[1]:
             break

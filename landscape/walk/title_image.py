@@ -9,6 +9,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from framelens.base.fonts import font, writable
 from framelens.inspector.panel import KEYS, SMALLEST, TITLE, WORDS, text_size, wrapped
+from landscape.walk.list_image import announce
 from landscape.walk.opening import covering
 
 PLATE = (12, 20, 28, 170)  # chosen: RGBA behind the words
@@ -128,7 +129,7 @@ def _draw_rows(
     places = {}
     if shown.start > 0:
         places[shown.start - 1] = (y - line, y)
-        _announce(draw, shown.start, True, (width - edge, y - line // 2), face)
+        announce(draw, shown.start, True, (width - edge, y - line // 2), face)
     for number in shown:
         places[number] = (y, y + line)
         if number == chosen:
@@ -138,26 +139,8 @@ def _draw_rows(
         y += line
     if hidden := len(rows) - shown.stop:
         places[shown.stop] = (y, y + line)
-        _announce(draw, hidden, False, (width - edge, y + line // 2), face)
+        announce(draw, hidden, False, (width - edge, y + line // 2), face)
     return places
-
-
-def _announce(
-    draw: ImageDraw.ImageDraw,
-    count: int,
-    above: bool,
-    right: tuple[int, int],
-    face: ImageFont.FreeTypeFont,
-) -> None:
-    """Draw how many rows there are beyond an end of the list: a number and an arrow.
-
-    ``right`` is the middle of their right edge in pixels.
-    """
-    half = max(round(face.size / 3), 1)
-    x, y = right[0] - half, right[1]
-    tip, foot = (y - half, y + half) if above else (y + half, y - half)
-    draw.polygon(((x - half, foot), (x + half, foot), (x, tip)), KEYS)
-    draw.text((x - 2 * half, y), str(count), KEYS, face, "rm")
 
 
 def _draw_row(

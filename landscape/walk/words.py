@@ -158,6 +158,7 @@ TEXTS: Texts = {
     "rebuilding": "building the scene again…",
     "fly.on": "flying",
     "fly.off": "walking",
+    "in_flight": "{says}  (in flight; {letter}: walk)",
     "swim.on": "deep water: swimming",
     "swim.dive": "deep water: swimming  ({fly}, then {down}: dive)",
     "swim.off": "back on foot",

@@ -26,6 +26,7 @@ from landscape.walk import words
 from landscape.walk.free_flight import advance, moves
 from landscape.walk.hands import Hands
 from landscape.walk.keys import pick
+from landscape.walk.opening import EMPTY
 from landscape.walk.preferences import Preferences
 from landscape.walk.screen import FullScreen, hide_cursor, save_screenshot
 from landscape.walk.walker import Intent
@@ -170,7 +171,12 @@ class Flying:
         self._full_screen = FullScreen(self.context.size)
         self._last = self._since = glfw.get_time()
         self._frames = 0
-        letter = self.hands.keymap.labels("help", language, system_name)
+        self._hint()
+        self._wait()  # the ground's light is computed for the first picture
+
+    def _hint(self) -> None:
+        """Say with which key the others are listed."""
+        letter = self.hands.keymap.labels("help", self._language, system_name)
         self._say(self._word("hint", letter=letter))
 
     def _word(self, key: str, **values: str) -> str:
@@ -198,7 +204,7 @@ class Flying:
         seconds, self._last = min(now - self._last, LONGEST), now
         orders, self.hands.orders = self.hands.orders, []
         for order in orders:
-            if order == "quit":
+            if order == "quit" and self._help == (self.hands.pressed("help") % 2 == 1):
                 return False
             self._obey(order)
         intent, switches = self.hands.take()
@@ -210,6 +216,8 @@ class Flying:
         if order in ("capture", "release"):
             hide_cursor(self.context.window, order == "capture")
             self.hands.capture(order == "capture")
+        elif order == "quit":
+            self.hands.switch("help")  # who reads it wants to be back in the flight
         elif order == "screenshot":
             self._shoot = True
         elif order == "fullscreen":
@@ -255,10 +263,19 @@ class Flying:
             self.time += STEP if name == "next_fix" else -STEP
 
     def _wait(self) -> None:
-        """Say over the last picture that what follows takes a moment."""
+        """Say over the last picture, if there is one, that what follows takes a moment."""
         assert self.context is not None
+        if 0 in self.context.pixels():
+            return
+        self.context.make_current()
+        gl.glViewport(0, 0, *self.context.pixels())
+        if not self._begun:
+            gl.glClearColor(*(part / 255 for part in EMPTY), 1.0)
+            gl.glClear(gl.GL_COLOR_BUFFER_BIT)
+        self._panel.dpi = enlarged(self.context.pixels(), self._dpi, self._larger)
         self._panel.draw(self.context.pixels(), message=self._word("loading"))
         self.context.show()
+        self.context.glfw.poll_events()
 
     def rows(self, name: Namer = system_name) -> list[tuple[str, str]]:
         """Return the rows of the help: keys, and what they do."""
@@ -281,7 +298,9 @@ class Flying:
         gl.glViewport(0, 0, *size)
         self._keep_detail(size)
         drawn = self.crew.draw(self.camera, self.settings, size)
-        self._begun = True
+        if not self._begun:
+            self._begun = True
+            self._hint()  # it could not be read while the first picture was drawn
         self._picture.draw(drawn.rgba)
         if self._shoot:
             self._shoot = False
