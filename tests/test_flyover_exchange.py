@@ -128,6 +128,11 @@ def test_results_are_ranked_for_each_environment_by_frames_a_second(tmp_path: Pa
     assert [line.rsplit(" ", 1)[1] for line in first[2:]] == ["fast.json", "slow.json"]
 
 
+def test_numbers_that_are_texts_are_ranked_as_numbers(tmp_path: Path) -> None:
+    path = result(tmp_path / "text.json", 20.0, rows={"all": {"fps": "20", "ms": "50"}}, frames="3")
+    assert "20.0     50.0" in ranking([read(path)])
+
+
 @pytest.mark.seldom(8, first=2)
 def test_a_benchmark_s_result_can_be_ranked(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]

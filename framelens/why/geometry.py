@@ -250,6 +250,7 @@ def _all_in_view() -> Iterator[None]:
     gl.glMatrixMode(gl.GL_MODELVIEW)
     gl.glPushMatrix()
     gl.glLoadIdentity()
+
     gl.glViewport(0, 0, 1024, 1024)
     gl.glDepthRange(0.0, 1.0)
     for name in ("CULL_FACE", "LIGHTING", "FOG"):
@@ -348,6 +349,7 @@ def placed(found: Vertices, modelview: ArrayLike, projection: ArrayLike) -> Plac
         eye = found.positions @ model
         clip = eye @ project
         out = _outside(clip)
+
     groups = _by_size(found.faces[:MOST_FACES])
     whole = {
         name: sum(int(flags[faces].all(axis=1).sum()) for faces in groups)

@@ -715,6 +715,7 @@ def _left_glowing(mine: Sequence[Drawn]) -> list[Drawn]:
 def _black(survey: Survey, mine: Sequence[Drawn]) -> Iterator[Suspect]:
     """Yield that a material reflects nothing, or that a light gives none."""
     yield from _black_material(mine)
+
     for name in LIGHTS:
         if not all(d.state[name] for d in mine):
             continue
@@ -746,6 +747,7 @@ def _black_material(mine: Sequence[Drawn]) -> Iterator[Suspect]:
         and not _within(d, "glMaterial")
         and not d.state["GL_COLOR_MATERIAL"]
     ]
+
     if dark:
         yield Suspect(
             "material-black",

@@ -141,6 +141,7 @@ def _look_at(survey: Survey, note: GluCall, args: list[float]) -> Iterator[Suspe
     else:
         axis = up if np.linalg.norm(up) else np.array([0.0, 1.0, 0.0])
         center = eye + np.array([0.0, 0.0, -1.0]) if not np.linalg.norm(forward) else center
+
     better = (*eye.tolist(), *center.tolist(), *axis.tolist())
     yield Suspect(
         "look-at-up" if parallel else "look-at-nowhere",

@@ -236,6 +236,7 @@ def _beside(survey: Survey, mine: list[Drawn], values: dict[str, float]) -> Iter
         change = undone(survey, name)
         if change is not None:
             yield _not_undone(mine, name, change, values)
+
     if survey.empty:
         moved = _into_view(mine)
         chain = mine[0].setters.chained.get("GL_MODELVIEW_MATRIX", [])

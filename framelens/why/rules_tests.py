@@ -558,6 +558,7 @@ def missing_depth_test(survey: Survey) -> Iterator[Suspect]:
     change = with_state(["ENABLE", "DEPTH_BUFFER"], actions, solid)
     if not clears:
         change |= _with_depth_cleared(cleared)
+
     area = survey.base.shape[0] * survey.base.shape[1]
     yield Suspect(
         "no-depth-test",

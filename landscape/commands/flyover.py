@@ -81,6 +81,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", type=option_values.pathname, metavar="DIR|FILE", help=OUT)
     parser.add_argument("--jobs", type=option_values.jobs, metavar="N", help=JOBS)
     _instead_of_the_window(parser)
+
     parser.add_argument("--fullscreen", action="store_true", help="fill the screen, as F11 does")
     parser.add_argument("--fresh", action="store_true", help=FRESH)
     parser.add_argument("--preset", default=BEST, metavar="best|document", help=PRESET)
@@ -157,6 +158,7 @@ def _check(options: argparse.Namespace) -> None:
         )
     if options.at < 0:
         raise InputError("--at {at:g}: expected seconds from 0", at=options.at)
+
     if options.bench and options.at:
         raise InputError("--at: not with --bench, which flies the whole path")
     if options.json is not None and not options.bench:

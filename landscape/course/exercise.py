@@ -260,6 +260,7 @@ class Grader:
         outcomes = self._sandbox.run(jobs)
         if solution is None:
             solution = _solution(found, program, model, outcomes[1], frames)
+
         work = _evidence(path, outcomes[0], frames)
         if not isinstance(work, Evidence):
             work = {"seconds": self._seconds, "megabytes": jobs[0].megabytes, **work}

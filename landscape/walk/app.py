@@ -748,10 +748,9 @@ class Walk:
         if self.hands.choosing:
             left = 0.0  # a long message would lie over the list
         message, opacity = self._message if left else "", min(left / FADE, 1.0)
-        cross, bar = (
-            self.inspection.cross(),
-            self._builder.bar(self.place.land, scene.shown, self._size),
-        )
+
+        cross = self.inspection.cross()
+        bar = self._builder.bar(self.place.land, scene.shown, self._size)
         at_left = self._at_left()
         if self._help:
             at_left = cross = None  # neither could be read over the other

@@ -316,6 +316,7 @@ def _plan(line: Mapping[str, object]) -> Plan:
     seed = _kind(line["seed"], "seed", int)
     if seed < 0:
         raise ValueError(f"seed: expected a whole number from 0, not {seed}")
+
     # A recording of the time before anybody jumped does not have that setting.
     settings = {"walk.jump": False, **_kind(line["settings"], "settings", dict)}
     return Plan(
