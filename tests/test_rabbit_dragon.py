@@ -13,7 +13,18 @@ from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import read_painted
 from landscape.elements.best.animals.fine_dragon import FineDragon
 from landscape.elements.best.animals.fine_rabbit import FineRabbit
-from landscape.elements.best.animals.fur import eyes, glints, hair_lengths, laid, shells
+from landscape.elements.best.animals.fur import (
+    COMBED,
+    EARS,
+    combed_planes,
+    eyes,
+    glints,
+    hair_lengths,
+    hair_texture,
+    kept_apart,
+    laid,
+    shells,
+)
 from landscape.elements.dragon import Dragon, planar
 from landscape.elements.rabbit import Rabbit, cylindrical
 from landscape.elements.settings import Settings
@@ -314,6 +325,34 @@ def test_shells_of_fur_lie_outside_each_other_and_leave_eyes_and_feet_short(
     for middle, _ in at:
         assert lengths[np.linalg.norm(skin.vertices - middle, axis=1) < 0.05].max() < 0.05
     assert lengths[skin.vertices[:, 1] < -0.85].mean() < 0.5 < np.median(lengths)
+
+
+def test_ears_and_face_have_shorter_hair_than_the_back(shipped: Assets) -> None:
+    mesh = read_painted(shipped, "rabbit.ply", "key", False)
+    lengths = hair_lengths(mesh, [])
+    x, y, _ = mesh.vertices.T
+    back = lengths[(x < 0.0) & (y > -0.5) & (y < 0.2)].min()
+    assert lengths[y > EARS].max() < 0.5 * back
+    assert lengths[(x > 0.7) & (y > 0.0)].max() < 0.5 * back
+
+
+def test_hairs_lie_along_s_which_is_the_direction_they_are_combed_in() -> None:
+    height = hair_texture()[..., 3].astype(float)
+    # Along a hair neighbouring texels differ less than across it, over the edges of the tile, too.
+    along = np.abs(height - np.roll(height, 1, axis=1))
+    across = np.abs(height - np.roll(height, 1, axis=0))
+    assert along.mean() < 0.6 * across.mean()
+    assert along[:, 0].mean() < 1.5 * along.mean() and across[0].mean() < 1.5 * across.mean()
+    for axis, (s, t) in enumerate(combed_planes(COMBED)):
+        assert np.allclose([s @ s, t @ t, s @ t, s[axis], t[axis]], [1, 1, 0, 0, 0], atol=1e-6)
+        assert s @ COMBED > 0.7
+
+
+def test_in_each_mip_level_hairs_differ_in_height_as_in_the_first() -> None:
+    levels = kept_apart(hair_texture())
+    first = levels[0][..., 3].std()
+    for level in levels[1:6]:
+        assert abs(level[..., 3].std() / first - 1.0) < 0.15
 
 
 def test_each_eye_of_a_painted_rabbit_has_a_glint_and_an_unpainted_one_has_none(

@@ -13,9 +13,12 @@ from stage import Stage, taken
 from framelens.gl.framebuffer import Framebuffer
 from framelens.gl.seam import gl
 from landscape.elements.best.meadow.gusts import BEND, LENGTH, SPEED, WAY, gusts
-from landscape.elements.best.meadow.meadow import Meadow, cut_out
+from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.meadow.sward import (
     CARD_SIDES,
+    CLOSE,
+    FLAT,
+    FLOOR,
     GREEN_KINDS,
     LOOKS,
     STANDING,
@@ -26,6 +29,8 @@ from landscape.elements.best.meadow.sward import (
     kinds_at,
     mean_colours,
     off_trail,
+    raised,
+    slimmed,
     sward_levels,
     tallness,
     texture_coordinates,
@@ -34,6 +39,7 @@ from landscape.elements.settings import preset
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.frame import Pose
+from landscape.gl.cut_out import cut_out
 
 NORTH = Pose(10.0, 3.1, 10.0)
 SWARD: dict[str, Any] = {
@@ -263,3 +269,17 @@ def test_a_card_is_never_wider_than_its_picture_though_a_blade_may_be() -> None:
     scale = preset("best").grass.scale
     assert card_scale(scale) == scale
     assert card_scale((2.4, 1.0)) == (WIDEST, 1.0)
+
+
+def test_grass_before_the_eye_is_narrower_and_what_the_near_plane_would_cut_lies_flat() -> None:
+    far = np.linspace(0.0, 2 * CLOSE, 50, dtype=np.float32)
+    for kind in range(len(LOOKS)):
+        width = slimmed(far, np.full(50, kind))
+        assert (width[far >= CLOSE] == 1.0).all() and (np.diff(width * far) >= 0.0).all()
+        if kind == FLOOR or kind >= STANDING:
+            assert (width == 1.0).all()
+    broad, fine = (slimmed(far[:1], np.array([kind]))[0] for kind in (3, 0))
+    assert broad < 0.5 < fine < 0.85
+    near_plane = preset("best").camera.near
+    assert near_plane <= FLAT and (raised(far[far <= near_plane]) == 0.0).all()
+    assert (raised(far[far > CLOSE / 2]) == 1.0).all()

@@ -42,6 +42,7 @@ FEATURES |= {
     "castle.multitexture": Feature((COMBINE, CROSSBAR), 3),
     "castle.ornate": Feature((COMBINE,), 2),
     "the ornate castle's gate in one layer": Feature((COMBINE, CROSSBAR), 4),
+    "rabbit.fur": Feature((COMBINE,)),
     "dragon.sheen": Feature((CUBE_MAP, COMBINE), 3),
     "dragon.wet": Feature((CUBE_MAP, COMBINE), 4),
     "overlay.sheen": Feature((CUBE_MAP,), 2),

@@ -128,7 +128,7 @@ BEST: dict[str, Value] = {
     "rabbit.mapping": "axis",
     "rabbit.painted": True,
     "rabbit.fur": 6,
-    "rabbit.scale": 0.06,
+    "rabbit.scale": 0.044,
     "dragon.mapping": "axis",
     "dragon.painted": True,
     "dragon.scaly": True,

@@ -23,6 +23,7 @@ from landscape.frame import Frame
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.mesh import Mesh
 from landscape.geometry.obstacles import Obstacle
+from landscape.gl.features import possible
 
 SHADED = 0.3  # chosen: fraction of the sun that is left to what rises out of a shadow
 
@@ -59,7 +60,7 @@ class FineRabbit(FineAnimal):
         place = standing(rabbit, mesh, field)
         super().__init__(settings, assets, mesh, lay, source, place, rabbit.yaw, rabbit.scale)
         self._obstacles = rabbit_obstacles(rabbit, field)
-        if rabbit.fur:
+        if rabbit.fur and possible("rabbit.fur"):
             self._fur = Fur(mesh, repr(source), rabbit.scale, rabbit.fur)
 
     @classmethod

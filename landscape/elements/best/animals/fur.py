@@ -1,13 +1,18 @@
 """Fur as shells around an animal's mesh, and a glint in its eyes (``rabbit.fur``).
 
 Technique: the mesh is drawn again a few times, each time blown up a little further along its
-normals and combed backwards. One texture holds the height of a hair at each texel; the alpha test
-cuts away, in each shell, the hairs that do not reach it. So hairs are cones of a few layers, and
-the silhouette is ragged. Each shell is a display list. Shells (Lengyel and others 2001,
-"Real-time fur over arbitrary surfaces") are not in the report.
+normals and combed backwards. One texture holds hairs that lie along s, and in alpha how high each
+is above the skin: its tip higher than its root. Each shell keeps what reaches it, so that hairs
+are seen lying over each other, and the silhouette is ragged. On each chart of the mesh s is the
+direction in which hairs are combed there. Each shell is a display list. Shells (Lengyel and others
+2001, "Real-time fur over arbitrary surfaces") are not in the report.
+A hair is as narrow as a pixel, so it needs a soft edge: GL_SUBTRACT takes the height of the shell
+from that of the hair, GL_ALPHA_SCALE makes the rest four times as steep (OpenGL 1.3), and alpha
+says how many samples of a pixel are written (see :mod:`landscape.gl.cut_out`).
 What is wrong with it: seen along the surface, the layers are separate; so they are close together,
 and where hairs are shorter than a pixel or two, fewer and fewer are drawn.
-State used: GL_ALPHA_TEST, GL_TEXTURE_2D; the glint is an unlit, untextured disc.
+State used: GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_TEXTURE_2D and its environment; the glint
+is an unlit, untextured disc.
 """
 
 from dataclasses import replace
@@ -16,53 +21,94 @@ from functools import partial
 import numpy as np
 
 from framelens.gl.seam import gl
-from framelens.gl.state import attrib
-from framelens.gl.texture import Texture
-from landscape.elements.best.animals.axis_mapping import by_axis
+from framelens.gl.state import attrib, combine
+from framelens.gl.texture import Texture, mip_levels
+from landscape.elements.best.animals.axis_mapping import PLANES, facing, in_charts
 from landscape.elements.best.animals.levels_of_detail import packed, unpacked
 from landscape.files.cache import recall
 from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import Mesh, gathered, scaled
+from landscape.gl.cut_out import cut_out
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 
 # All chosen; lengths are those of a mesh of -1..1.
 SPARSE = 0.6  # how much of what is above a shell's cut is cut where hair begins to be seen
-LENGTH = 0.038  # of the longest hair
+LENGTH = 0.05  # of the longest hair
 COMBED = np.array([-1.0, -0.75, 0.0])  # where hairs point, times their length; the head is at +x
+EARS = 0.42  # height above which there are only ears
+ON_EARS = np.array([-0.7, 0.7, 0.0])  # where hairs point there
 CUBE = 0.055  # side of the cubes whose vertices are merged before shells are made
-REPEAT = 4.5  # textures of hairs over 2 units
-# The texture: texels a side, hairs, and the radius of their roots in texels.
-SIDE = 128
-HAIRS = 3600
-THICK = (1.0, 2.2)
-
-ROOT, TIP = 0.70, 1.14  # brightness of the lowest and of the highest shell
+REPEAT = 3.0  # textures of hairs over 2 units
+ROOT, TIP = 0.72, 1.12  # brightness of the lowest and of the highest shell
 DARK, BARE = 50, 0.06  # mean colour under which a vertex is an eye; how far the bald reaches
 PINK = (35, 46)  # red minus green of skin: from the first on hairs get shorter
 APPEARS = (0.5, 1.5)  # pixels: a shorter hair is not drawn, from the other on all are
-TONES = (0.66, 1.0)  # of hairs
 FEET = (-0.86, -0.60)  # heights between which hairs get longer, from half of it
+FACE, SHORT = (0.30, 0.70), 0.45  # x between which hairs get shorter to the nose, and how short
 GLINT, GLINT_CORNERS = 0.013, 10  # radius of the disc in an eye, and its corners
 SKYWARD = np.array([0.25, 0.70, 0.0])  # where on an eye the glint is, from its middle
 
+# The texture of hairs. Chosen; lengths are in its texels.
+SIDE, HAIRS = 256, 9000  # its texels, and how many hairs lie in it
+LONG, WIDE, BENT = (14.0, 30.0), (0.7, 1.3), 3.0  # length, half width at the root, sideways bend
+FINER = 2  # times as many texels in which hairs are drawn
+LOWEST, BELOW = 0.12, 0.55  # height and brightness of the wool between hairs
+# Tints of hairs: buff, grey, black; and how many of a hundred are of each.
+TINTS = np.array([(1.0, 0.96, 0.88), (0.88, 0.90, 0.92), (0.50, 0.46, 0.44)])
+SHARES = (0.55, 0.27, 0.18)
+SOFT = 4.0  # how much steeper a hair's edge is than its height
+STRENGTH = 0.5 / SOFT  # how far above a shell half of a pixel's samples are written
+
 
 def hair_texture(seed: int = 7) -> np.ndarray:
-    """Return tileable hairs, uint8 (SIDE, SIDE, 4): grey tones, and alpha the height of a hair."""
+    """Return tileable hairs along the rows, uint8 (SIDE, SIDE, 4): tints, and alpha the height."""
     rng = np.random.default_rng(seed)
-    at = np.arange(SIDE)
-    height, tone = np.zeros((SIDE, SIDE)), np.full((SIDE, SIDE), 0.9)
-    for x, y in rng.uniform(0, SIDE, (HAIRS, 2)):
-        dx = (at - x + SIDE / 2) % SIDE - SIDE / 2
-        dy = (at - y + SIDE / 2) % SIDE - SIDE / 2
-        near_x, near_y = np.flatnonzero(np.abs(dx) < 3), np.flatnonzero(np.abs(dy) < 3)
-        away = np.hypot(dx[near_x], dy[near_y][:, None])
-        cone = rng.uniform(0.45, 1.0) * np.clip(1.0 - away / rng.uniform(*THICK), 0.0, 1.0) ** 0.6
-        own = np.ix_(near_y, near_x)
-        higher = cone > height[own]
-        height[own] = np.where(higher, cone, height[own])
-        tone[own] = np.where(higher, rng.uniform(*TONES), tone[own])
-    return np.rint(255 * np.stack([tone, tone, tone, height], axis=2)).astype(np.uint8)
+    side = SIDE * FINER
+    root, across = rng.uniform(0, side, (2, HAIRS, 1, 1))
+    length = FINER * rng.uniform(*LONG, (HAIRS, 1, 1))
+    bend = FINER * rng.normal(0.0, BENT, (HAIRS, 1, 1))
+    half = FINER * rng.uniform(*WIDE, (HAIRS, 1, 1))
+    # Hairs of a tuft end together, and are of one brightness.
+    tuft = np.sin(2 * np.pi * (2 * root / side + np.array(0.3)))
+    tuft = tuft * np.sin(2 * np.pi * (3 * across / side + 0.2 * tuft))
+    height = np.clip(rng.uniform(0.45, 1.0, (HAIRS, 1, 1)) + 0.15 * tuft, 0.0, 1.0)
+    tint = TINTS[rng.choice(len(TINTS), HAIRS, p=SHARES)]
+    tint = tint * (rng.uniform(0.78, 1.1, (HAIRS, 1)) + 0.08 * tuft[:, 0])
+
+    t = np.linspace(0.0, 1.0, int(FINER * LONG[1]))[:, None]
+    offset = np.arange(-3 * FINER / 2, 3 * FINER / 2 + 1)
+    x = root + t * length + 0 * offset
+    y = across + bend * t**2 + offset
+    profile = 1.0 - np.abs(offset) / np.maximum(half * np.sqrt(1.0 - 0.85 * t), 1e-6)
+    reached = height * (0.3 + 0.7 * t) * np.clip(2.0 * profile, 0.0, 1.0)
+    shade = 0.72 + 0.36 * t + 0 * profile  # a root is dark
+
+    own, _, _ = seen = np.nonzero(reached > LOWEST)
+    reached, shade = reached[seen], shade[seen]
+    texel = (np.floor(y).astype(int) % side * side + np.floor(x).astype(int) % side)[seen]
+    drawn = np.empty((side * side, 4))
+    drawn[:, :3], drawn[:, 3] = BELOW, LOWEST
+    # Of all hairs over a texel the highest is written last.
+    order = np.argsort(reached, kind="stable")
+    drawn[texel[order], :3] = (tint[own] * shade[:, None])[order]
+    drawn[texel[order], 3] = reached[order]
+    fine = drawn.reshape(SIDE, FINER, SIDE, FINER, 4).mean(axis=(1, 3))
+    return np.rint(255 * np.clip(fine, 0.0, 1.0)).astype(np.uint8)
+
+
+def kept_apart(image: np.ndarray) -> list[np.ndarray]:
+    """Return the mip levels of a texture of hairs whose heights stay as unlike as in the image.
+
+    In plain levels all hairs would be of one height: the upper shells would be bald from afar.
+    """
+    spread = image[..., 3].std()
+    levels = mip_levels(image)
+    for level in levels[1:]:
+        height = level[..., 3].astype(float)
+        grown = spread / max(float(height.std()), 1.0)
+        level[..., 3] = np.clip(height.mean() + grown * (height - height.mean()), 0, 255)
+    return levels
 
 
 def eyes(mesh: Mesh) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -85,10 +131,14 @@ def eyes(mesh: Mesh) -> list[tuple[np.ndarray, np.ndarray]]:
 def hair_lengths(mesh: Mesh, eyes_at: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
     """Return the length (n,) 0..1 of the hair at each vertex: none on eyes, little on pink skin.
 
-    ``eyes_at`` are the :func:`eyes`.
+    ``eyes_at`` are the :func:`eyes`. Feet, face and ears have short hair.
     """
     low, high = FEET
     lengths = 0.4 + 0.6 * np.clip((mesh.vertices[:, 1] - low) / (high - low), 0.0, 1.0)
+    behind, front = FACE
+    face = np.clip((mesh.vertices[:, 0] - behind) / (front - behind), 0.0, 1.0)
+    face *= mesh.vertices[:, 1] > 0.0
+    lengths *= 1.0 - (1.0 - SHORT) * np.maximum(face, mesh.vertices[:, 1] > EARS)
     if mesh.colors is not None:
         red, green = mesh.colors[:, 0].astype(float), mesh.colors[:, 1].astype(float)
         lengths *= 1.0 - 0.85 * np.clip((red - green - PINK[0]) / (PINK[1] - PINK[0]), 0, 1)
@@ -98,12 +148,28 @@ def hair_lengths(mesh: Mesh, eyes_at: list[tuple[np.ndarray, np.ndarray]]) -> np
     return lengths
 
 
+def combed_planes(combed: np.ndarray) -> np.ndarray:
+    """Return the directions of s and t (3, 2, 3) in the charts of x, y and z.
+
+    s is the direction ``combed`` (3,), as far as it is in the plane of the chart, and t is across.
+    """
+    planes = np.empty_like(PLANES)
+    for axis in range(3):
+        along = np.where(np.arange(3) == axis, 0.0, combed)
+        planes[axis, 0] = along / np.linalg.norm(along)
+        planes[axis, 1] = np.cross(np.eye(3)[axis], planes[axis, 0])
+    return planes
+
+
 def laid(mesh: Mesh) -> Mesh:
     """Return a coarser mesh of -1..1 with the coordinates of the texture of hairs.
 
     Hairs hide how coarse it is, and most of the time goes into the number of triangles.
     """
-    return gathered(by_axis(clustered(mesh, CUBE), REPEAT))
+    coarse = clustered(mesh, CUBE)
+    ears = coarse.vertices[coarse.triangles, 1].mean(axis=1) > EARS
+    planes = np.concatenate([combed_planes(COMBED), combed_planes(ON_EARS)])
+    return gathered(in_charts(coarse, facing(coarse) + 3 * ears, planes, REPEAT))
 
 
 def shells(skin: Mesh, eyes_at: list[tuple[np.ndarray, np.ndarray]], count: int) -> list[Mesh]:
@@ -113,8 +179,9 @@ def shells(skin: Mesh, eyes_at: list[tuple[np.ndarray, np.ndarray]], count: int)
     goes straight through them.
     """
     lengths = (LENGTH * hair_lengths(skin, eyes_at))[:, None]
-    # Hairs lie along the skin: only what of COMBED is in its plane.
-    along = COMBED - (skin.normals @ COMBED)[:, None] * skin.normals
+    # Hairs lie along the skin: only what of their direction is in its plane.
+    combed = np.where(skin.vertices[:, 1:2] > EARS, ON_EARS, COMBED)
+    along = combed - (skin.normals * combed).sum(axis=1)[:, None] * skin.normals
     out = []
     for k in range(1, count + 1):
         up = k / count
@@ -149,8 +216,7 @@ class Fur:
         ``source`` is the cache key of the mesh.
         """
         self._hair = LENGTH * scale
-        drawn = repr((SIDE, HAIRS, THICK, TONES))
-        self._texture = Texture(recall(("hairs", drawn), lambda: (hair_texture(),))[0])
+        self._texture = Texture(kept_apart(recall(("hairs",), lambda: (hair_texture(),))[0]))
         lay = recall(("fur", repr((REPEAT, CUBE)), source), lambda: packed({0.0: laid(mesh)}))
         layers = [scaled(shell, scale) for shell in shells(unpacked(lay)[0.0], eyes(mesh), count)]
         discs = (glints(mesh) * scale).astype(np.float32)
@@ -167,14 +233,16 @@ class Fur:
 
         The current colour is changed.
         """
-        with attrib(gl.GL_COLOR_BUFFER_BIT | gl.GL_ENABLE_BIT):
-            gl.glEnable(gl.GL_ALPHA_TEST)
+        with cut_out(), attrib(gl.GL_TEXTURE_BIT):
             self._texture.bind()
+            combine_heights()
             for k, layer in enumerate(self._lists):
                 cut = (k + 0.5) / (len(self._lists) + 1)
-                gl.glAlphaFunc(gl.GL_GREATER, cut + SPARSE * (1.0 - seen) * (1.0 - cut))
+                cut += SPARSE * (1.0 - seen) * (1.0 - cut)
+                least = np.array((0.0, 0.0, 0.0, max(cut - STRENGTH, 0.0)), np.float32)
+                gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, least)
                 layer.call()
-            gl.glDisable(gl.GL_ALPHA_TEST)
+        with attrib(gl.GL_ENABLE_BIT):
             gl.glDisable(gl.GL_LIGHTING)
             gl.glDisable(gl.GL_TEXTURE_2D)
             gl.glColor3f(1.0, 1.0, 1.0)
@@ -185,6 +253,13 @@ class Fur:
         for each in (*self._lists, self._glint):
             each.release()
         self._texture.release()
+
+
+def combine_heights() -> None:
+    """Let alpha be SOFT times how far the texture's is above that of GL_TEXTURE_ENV_COLOR."""
+    combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PRIMARY_COLOR"})
+    combine({"COMBINE_ALPHA": "SUBTRACT", "SRC0_ALPHA": "TEXTURE", "SRC1_ALPHA": "CONSTANT"})
+    gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, SOFT)
 
 
 def send_discs(discs: np.ndarray) -> None:

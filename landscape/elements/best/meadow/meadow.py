@@ -24,7 +24,6 @@ from typing import Self
 
 import numpy as np
 
-from framelens.gl.extensions import Need, antialiased, has
 from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, multiply
 from framelens.gl.texture import Texture
@@ -51,6 +50,8 @@ from landscape.elements.best.meadow.sward import (
     card_scale,
     mean_colours,
     most_widened,
+    raised,
+    slimmed,
     sward_levels,
     texture_coordinates,
 )
@@ -72,9 +73,9 @@ from landscape.files.cache import content, recall
 from landscape.files.images import read_image
 from landscape.frame import Frame
 from landscape.geometry.culling import REUSE_ANGLE, REUSE_DISTANCE, is_near
+from landscape.gl.cut_out import cut_out
 from landscape.gl.features import possible
 
-DITHER_CONTROL = Need(None, ("GL_NV_alpha_to_coverage_dither_control",))
 RARELY = 1.5  # chosen: times the margin that is kept where blades are left out
 CLEAR = 0.98  # chosen: of a blade's colour, what fog must leave in order to be left out
 LEAST_PIXELS = 4.0  # chosen: blades of a coarser frame are drawn as far as they are as tall
@@ -85,33 +86,6 @@ def blade_ends(image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     half, last = max(len(image) // 2, 1), len(image) * 7 // 8
     upper, foot = (part.mean(axis=(0, 1)) / 255.0 for part in (image[:half], image[last:]))
     return upper, foot
-
-
-@contextmanager
-def cut_out() -> Iterator[None]:
-    """Leave out what is transparent in a picture; with several samples a pixel, by their number.
-
-    GL_SAMPLE_ALPHA_TO_COVERAGE is of OpenGL 1.3: alpha says how many samples are written. Where a
-    driver varies which ones from pixel to pixel (Mesa 26), soft edges are chequered: with
-    GL_NV_alpha_to_coverage_dither_control it does not.
-    """
-    with attrib(gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT):
-        gl.glEnable(gl.GL_ALPHA_TEST)
-        if not antialiased():
-            gl.glAlphaFunc(gl.GL_GREATER, 0.5)
-            yield
-            return
-
-        gl.glEnable(gl.GL_SAMPLE_ALPHA_TO_COVERAGE)
-        gl.glAlphaFunc(gl.GL_GREATER, 0.1)
-        if not has(DITHER_CONTROL):
-            yield
-            return
-        gl.glAlphaToCoverageDitherControlNV(gl.GL_ALPHA_TO_COVERAGE_DITHER_DISABLE_NV)
-        try:
-            yield
-        finally:
-            gl.glAlphaToCoverageDitherControlNV(gl.GL_ALPHA_TO_COVERAGE_DITHER_DEFAULT_NV)
 
 
 @contextmanager
@@ -299,12 +273,15 @@ class Meadow(Element[Settings]):
         far = np.sqrt(away[0] * away[0] + away[1] * away[1])
         if grass.sward:
             wider = self._wider(far, patch) if grass.fade else 1.0
+            wider = wider * slimmed(far, patch.kinds)
             facing(columns, away, grass.facing, CARD_SIDES, wider)
         elif grass.facing > 0:
             facing(columns, away, grass.facing)
 
         if grass.fade:
             left = np.clip(4.0 * (1.0 - far / self._ranges(frame, patch)), 0.0, 1.0)
+            if grass.sward:
+                left *= raised(far)
             columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left
             gone = np.flatnonzero(left <= 0.0)
             columns[..., gone] = places[:, gone]

@@ -69,6 +69,13 @@ TRAIL = 0.030  # chosen: units, half the width of a deer's trail through the mea
 
 # Chosen: how much of the widening by distance a kind takes part in; a flower must stay round.
 WIDENED = np.where(np.arange(len(LOOKS)) < GREEN_KINDS, 1.0, 0.25).astype(np.float32)
+# Chosen: units. A card of grass that is nearer than CLOSE is narrowed, down to NARROWEST, by as
+# much as its kind is SLIMMED: broad blades most, as one of them would be a ribbon before the eye,
+# and the floor not, which has to cover the ground. What is nearer than LOW is lower, and at FLAT it
+# lies flat: the near plane would cut its tip off.
+CLOSE, NARROWEST = 0.12, 0.4
+SLIMMED = np.array([0.35, 0.35, 0.35, 0.9, 0.0, 0.6, 0.6, 0.6] + 8 * [0.0], np.float32)
+LOW, FLAT = 0.055, 0.024
 LOWER = 1.2  # chosen: how much more of the sward is low where little stands
 ROOTS = 0.30  # chosen: how much lighter than its picture the foot is of cards seen from far away
 CARD_SIDES = np.array([-1.0, 1.0, -SPREAD, SPREAD], np.float32)  # of feet and shoulders
@@ -83,6 +90,17 @@ def most_widened(near: float) -> tuple[float, float]:
     there = max(1.0 / near, 1.0) ** WIDENING
     slope = WIDENING * there
     return max(there - slope, 1.0), slope
+
+
+def slimmed(far: np.ndarray, kinds: np.ndarray) -> np.ndarray:
+    """Return factors (n,) on the width of cards of ``kinds`` (n,) ``far`` (n,) units away."""
+    narrow = np.clip(far / np.float32(CLOSE), np.float32(NARROWEST), np.float32(1.0))
+    return np.asarray(1.0 + SLIMMED[kinds] * (narrow - 1.0))
+
+
+def raised(far: np.ndarray) -> np.ndarray:
+    """Return factors (n,) on the height of cards ``far`` (n,) units away: 0 in front of the eye."""
+    return np.clip((far - np.float32(FLAT)) / np.float32(LOW - FLAT), 0.0, 1.0)
 
 
 def texture_coordinates() -> np.ndarray:
