@@ -4,6 +4,7 @@ import numpy as np
 
 from landscape.elements.best.castle import ivy
 from landscape.elements.best.castle.growth import IVIES, leaves
+from landscape.elements.best.castle.ornate_masonry import PLINTH
 from landscape.files.assets import Assets
 from landscape.files.images import read_image
 from landscape.geometry.masonry import TOWER_RADIUS
@@ -82,10 +83,23 @@ def test_each_picture_is_one_leaf_with_a_clear_border_and_pale_veins() -> None:
 def test_the_shade_behind_ivy_fades_out_and_is_on_the_wall() -> None:
     vertices, colours, triangles = ivy.shade_on_wall(leaves(level)[0])
     assert triangles.max() < len(vertices) == len(colours)
-    shade = colours[:, 3].reshape(len(IVIES), ivy.UP, ivy.AROUND)
+    shade = colours[:, 3].reshape(len(IVIES) + 1, ivy.UP, ivy.AROUND)
     assert 0.5 * ivy.SHADE < shade.max() <= ivy.SHADE
-    edges = shade[:, -1], shade[:, :, 0], shade[:, :, -1]
+    edges = shade[:, -1], shade[:, :, 0], shade[:-1, :, -1]
     assert max(float(each.max()) for each in edges) < 0.2
-    towers = ivy.tower_of(vertices)
-    away = np.hypot(*(vertices[:, [0, 2]] - towers).T) - TOWER_RADIUS
+    on_towers = vertices[: len(IVIES) * ivy.UP * ivy.AROUND]
+    towers = ivy.tower_of(on_towers)
+    away = np.hypot(*(on_towers[:, [0, 2]] - towers).T) - TOWER_RADIUS
     assert 0 < away.min() < 0.002 and away.max() < 0.03
+
+
+def test_ivy_in_the_corner_shades_the_gate_wall_beside_it() -> None:
+    vertices, colours, _ = ivy.shade_on_wall(leaves(level)[0])
+    each = ivy.UP * ivy.AROUND
+    _, y, z = vertices[-each:].reshape(ivy.UP, ivy.AROUND, 3).transpose(2, 0, 1)
+    shade = colours[-each:, 3].reshape(ivy.UP, ivy.AROUND)
+    assert (shade[:, 0] == 0.0).all() and shade.max() > 0.3 * ivy.SHADE
+    assert shade[:, 4].max() < 0.2 * shade.max()
+    # Just before the wall, and before the plinth, whose top slopes.
+    assert np.allclose(z[y > sum(PLINTH[1:])], -0.0015)
+    assert (z[y < PLINTH[1]] < -PLINTH[2]).all() and (np.diff(z[:, 0]) >= 0.0).all()

@@ -28,10 +28,12 @@ SHOOTS = 46  # that leave the wall
 STEPS = (7, 16)  # leaves on such a shoot
 STEP = 0.0062  # between two leaves
 CELL = 0.010  # side of the squares in which leaves hide each other
-DARKEST = 0.20  # light that is left on a leaf under others
-SHADE = 0.62  # opacity of the shade on the wall
+DARKEST = 0.26  # light that is left on a leaf under others
+SKYWARD = 0.6  # how far the normals that light leaves are bent upwards
+SHADE = 0.74  # opacity of the shade on the wall
 AROUND, UP = 56, 96  # vertices of the shade
 BEYOND, LOWER = 0.11, 0.012  # how far the shade reaches beyond the ivy, and is below it
+BESIDE, CAST = 0.15, 0.018  # how far it reaches on the gate wall, and how much wider it is there
 
 
 class Leaves:
@@ -196,7 +198,9 @@ def _mesh(found: Leaves, rng: np.random.Generator) -> tuple[Mesh, np.ndarray]:
     vertices = np.stack(
         [row + (k * half * across - abs(k) * drop) for row in rows for k in (-1, 0, 1)], axis=1
     )
-    facing = np.stack([normals + 0.45 * k * across for _ in rows for k in (-1, 0, 1)], axis=1)
+    # Light that comes through leaves and from between them: no side of the clump is black.
+    lit = normals + SKYWARD * np.array([0.0, 1.0, 0.0])
+    facing = np.stack([lit + 0.45 * k * across for _ in rows for k in (-1, 0, 1)], axis=1)
     facing /= np.linalg.norm(facing, axis=2, keepdims=True)
 
     cell = rng.integers(COLUMNS * ROWS, size=count)
@@ -243,39 +247,78 @@ def remembered_shade(growth: Mesh) -> tuple[np.ndarray, ...]:
 def shade_on_wall(growth: Mesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the shade behind the ivy: vertices (n, 3), colours float32 (n, 4), triangles (m, 3).
 
-    It is a little lower than the ivy, and soft.
+    It is a little lower than the ivy, and soft. There is one grid of UP by AROUND vertices on each
+    tower, and one on the gate wall beside the first, whose ivy reaches into the corner.
     """
     middles, sides = middles_of(growth)
     towers = tower_of(middles)
-    found: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
-    vertices = 0
-    for (x, z), angle, *_ in IVIES:
-        mine = (towers == (x, z)).all(axis=1)
-        bearing = np.arctan2(middles[mine, 2] - z, middles[mine, 0] - x)
-        bearing = angle + (bearing - angle + np.pi) % (2 * np.pi) - np.pi
-        y = middles[mine, 1]
-        turn = np.linspace(bearing.min() - BEYOND / TOWER_RADIUS, bearing.max(), AROUND)
-        turn = turn + np.linspace(0.0, BEYOND / TOWER_RADIUS, AROUND)
-        level = np.linspace(y.min() - BEYOND, y.max() + BEYOND, UP)
-        near_u = np.square(TOWER_RADIUS * (turn[:, None] - bearing))
-        near_y = np.square(level[:, None] + LOWER - y)
-        wide = np.square(1.05 * sides[mine])
-        cover = np.exp(-2.2 * (near_y[:, None] + near_u[None]) / wide).sum(axis=2)
-        radius = TOWER_RADIUS + 0.0015 + (PLINTH[2] + 0.001) * (level < PLINTH[1])
-        grid = np.stack(
-            [
-                x + radius[:, None] * np.cos(turn),
-                np.broadcast_to(level[:, None], cover.shape),
-                z + radius[:, None] * np.sin(turn),
-            ],
-            axis=-1,
-        )
-        colours = np.zeros((cover.size, 4), np.float32)
-        colours[:, :3] = (0.020, 0.026, 0.012)
-        colours[:, 3] = SHADE * (1.0 - np.exp(-1.6 * cover)).ravel()
-        faces = grid_triangles(AROUND, UP) + np.uint32(vertices)
-        found.append((grid.reshape(-1, 3).astype(np.float32), colours, faces))
-        vertices += cover.size
+    grids: list[tuple[np.ndarray, np.ndarray]] = []
+    for tower, angle, *_ in IVIES:
+        mine = (towers == tower).all(axis=1)
+        grids.append(_shade_on_tower(middles[mine], sides[mine], tower, angle))
+    tower = IVIES[0][0]
+    mine = (towers == tower).all(axis=1)
+    grids.append(_shade_on_gate_wall(middles[mine], sides[mine], tower[0]))
 
-    points, shades, triangles = (np.concatenate(each) for each in zip(*found, strict=True))
-    return points, shades, triangles
+    faces = grid_triangles(AROUND, UP)
+    each = UP * AROUND
+    triangles = np.concatenate([faces + np.uint32(k * each) for k in range(len(grids))])
+    points = np.concatenate([grid.reshape(-1, 3) for grid, _ in grids])
+    colours = np.zeros((len(points), 4), np.float32)
+    colours[:, :3] = (0.020, 0.026, 0.012)
+    cover = np.concatenate([cover.ravel() for _, cover in grids])
+    colours[:, 3] = SHADE * (1.0 - np.exp(-1.6 * cover))
+    return points.astype(np.float32), colours, triangles
+
+
+def _shade_on_tower(
+    middles: np.ndarray, sides: np.ndarray, tower: tuple[float, float], angle: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return a grid (UP, AROUND, 3) on a tower, and how much ivy covers it (UP, AROUND)."""
+    x, z = tower
+    bearing = np.arctan2(middles[:, 2] - z, middles[:, 0] - x)
+    bearing = angle + (bearing - angle + np.pi) % (2 * np.pi) - np.pi
+    y = middles[:, 1]
+    turn = np.linspace(bearing.min() - BEYOND / TOWER_RADIUS, bearing.max(), AROUND)
+    turn = turn + np.linspace(0.0, BEYOND / TOWER_RADIUS, AROUND)
+    level = np.linspace(y.min() - BEYOND, y.max() + BEYOND, UP)
+    near_u = np.square(TOWER_RADIUS * (turn[:, None] - bearing))
+    near_y = np.square(level[:, None] + LOWER - y)
+    wide = np.square(1.05 * sides)
+    cover = np.exp(-2.2 * (near_y[:, None] + near_u[None]) / wide).sum(axis=2)
+    radius = TOWER_RADIUS + 0.0015 + _projecting(level)
+    grid = np.stack(
+        [
+            x + radius[:, None] * np.cos(turn),
+            np.broadcast_to(level[:, None], cover.shape),
+            z + radius[:, None] * np.sin(turn),
+        ],
+        axis=-1,
+    )
+    return grid, cover
+
+
+def _projecting(y: np.ndarray) -> np.ndarray:
+    """Return how far the plinth, whose top slopes, projects from a wall at heights y (n,)."""
+    _, top, out = PLINTH
+    return np.clip(top + out - y, 0.0, out)
+
+
+def _shade_on_gate_wall(
+    middles: np.ndarray, sides: np.ndarray, corner: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return a grid (UP, AROUND, 3) on the gate wall up to x = ``corner``, and its cover.
+
+    The ivy stands before the wall: its shade is as wide as it, and weaker where it is farther away.
+    """
+    x = np.linspace(corner - TOWER_RADIUS - BESIDE, corner - 0.3 * TOWER_RADIUS, AROUND)
+    y = np.linspace(middles[:, 1].min() - BEYOND, middles[:, 1].max() + BEYOND, UP)
+    z = -0.0015 - _projecting(y)
+    grid = np.empty((UP, AROUND, 3))
+    grid[..., 0], grid[..., 1], grid[..., 2] = x, y[:, None], z[:, None]
+    near_x = np.square(x[:, None] - middles[:, 0])
+    near_y = np.square(y[:, None] + LOWER - middles[:, 1])
+    near_z = np.square(z[:, None] - middles[:, 2])
+    wide = np.square(CAST + sides)
+    cover = np.exp(-2.2 * (near_x[None] + (near_y + near_z)[:, None]) / wide).sum(axis=2)
+    return grid, cover * np.clip((x - x[0]) / (0.5 * BESIDE), 0.0, 1.0)
