@@ -7,7 +7,7 @@ from stage import WHITE_LIGHT, Stage, close, pixel, project, small
 
 from landscape.elements.best.sea import ripples, waves
 from landscape.elements.best.sea.ripple_slopes import gusts, slopes
-from landscape.elements.best.sea.ripples import fading, sights
+from landscape.elements.best.sea.ripples import LONG, LONGEST, PATCHES, fading, sights
 from landscape.elements.best.sea.sea import Sea, reflected
 from landscape.elements.best.sea.shallows import COLOURS, lit_colour
 from landscape.files.assets import Assets
@@ -36,6 +36,15 @@ def test_the_slopes_repeat_without_a_seam_and_no_length_of_wave_stands_out() -> 
     assert max(octaves) < 3 * min(octaves)
     along, across = np.square(tile).mean(axis=(0, 1))
     assert 0.4 < along / across < 2.5, "no direction stands out either"
+
+
+def test_no_part_of_the_long_layer_is_a_swirl_of_its_own() -> None:
+    def unevenness(tile: np.ndarray) -> float:
+        parts = tile[..., 0].reshape(8, 32, 8, 32)
+        return float(parts.mean(axis=(1, 3)).std() + parts.std(axis=(1, 3)).std())
+
+    chosen = {"longest": LONGEST[LONG], "patches": PATCHES[LONG]}
+    assert unevenness(slopes(1, 256, **chosen)) < 0.6 * unevenness(slopes(1, 256))
 
 
 def test_gusts_leave_slicks_on_the_sea_and_move_with_time() -> None:

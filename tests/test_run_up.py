@@ -35,6 +35,32 @@ def test_lace_is_left_above_the_water_that_has_drained() -> None:
     assert draining[(place > edge[1] + 0.02) & (place < 1.0)].min() > 0.0
 
 
+def test_no_foam_appears_at_once_and_its_edge_is_frayed_by_lace() -> None:
+    place = np.linspace(-0.5, 1.2, 200)
+    for height in run_up.WAVES:
+        before, after = (
+            run_up.foam_at(place, run_up.RISING + step, height) for step in (-1e-3, 1e-3)
+        )
+        assert np.abs(after - before).max() < 0.03
+    # Of lace, 0..0.5, some is added; where the sum is above one half there is foam.
+    foam = run_up.diagram().foam
+    assert 0.3 < foam.max() < 0.5
+    # Foam grows by less than its least visible density in a step, but where a wave's edge is.
+    grown = np.diff(foam, axis=0)
+    assert (grown > 0.1).mean() < 0.01
+
+
+def test_foam_that_a_wave_has_left_thins_out_until_the_next_one_takes_it() -> None:
+    foam = run_up.diagram().foam
+    place = run_up.FIRST + (np.arange(run_up.ACROSS) + 0.5) / run_up.ACROSS * (
+        run_up.LAST - run_up.FIRST
+    )
+    rows = run_up.STEPS // len(run_up.WAVES)
+    here = np.argmin(np.abs(place - 0.5))
+    ending, begun = foam[rows - 1, here], foam[rows + 2, here]
+    assert 0.0 < begun <= ending
+
+
 def test_waves_reach_farther_on_a_level_beach_and_leave_cliffs_alone() -> None:
     x, z = np.zeros(1), np.zeros(1)
     assert run_up.reaches(np.array([0.1]), x, z) > 2 * run_up.reaches(np.array([0.4]), x, z)

@@ -28,7 +28,9 @@ def noise(rng: np.random.Generator, size: int) -> np.ndarray:
     return np.asarray(np.fft.fft2(rng.standard_normal((size, size))))
 
 
-def slopes(seed: int, size: int = SIZE) -> np.ndarray:
+def slopes(
+    seed: int, size: int = SIZE, longest: float = LONGEST, patches: float = PATCHES
+) -> np.ndarray:
     """Return a tile's slopes along columns and rows, (size, size, 2), of standard deviation 1."""
     rng = np.random.default_rng(seed)
     number = np.fft.fftfreq(size) * size
@@ -39,7 +41,7 @@ def slopes(seed: int, size: int = SIZE) -> np.ndarray:
 
     # Per area of the plane of wave numbers: an octave's area grows with k squared.
     energy = (np.abs(np.cos(heading)) ** (2 * SPREAD) + ASTRAY) / k**2
-    energy *= np.exp(-((LONGEST / k) ** 4) - (k / SHORTEST) ** 2)
+    energy *= np.exp(-((longest / k) ** 4) - (k / SHORTEST) ** 2)
     height = noise(rng, size) * np.sqrt(energy) / k
     step = 2j * np.pi / size
     along = [np.fft.ifft2(height * step * each).real for each in (k_x, k_y)]
@@ -52,7 +54,7 @@ def slopes(seed: int, size: int = SIZE) -> np.ndarray:
         (np.arange(size)[:, None] + SHARPER * drawn[1]) % size,
     ]
     swell = np.fft.ifft2(noise(rng, size) * np.exp(-((k / PATCH) ** 2))).real
-    rough = np.exp(PATCHES * swell / swell.std())
+    rough = np.exp(patches * swell / swell.std())
     tile = np.stack([sampled(each * rough, *at) for each in along], axis=2)
     tile -= tile.mean(axis=(0, 1))
     return np.asarray(tile / np.sqrt(np.mean(np.square(tile))))

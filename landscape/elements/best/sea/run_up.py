@@ -49,6 +49,8 @@ HALF_TEXEL = 0.5 / ACROSS * (LAST - FIRST)  # reaches: the texture repeats beyon
 DRYING = 1.1  # chosen: waves until the sand is as dry as before
 SHINING = 0.45  # chosen: waves until its shine is 1/e
 DARKEST = 0.66  # chosen: factor on wet sand, in addition to the band that is always damp
+SPREADING = 0.25  # chosen: fraction of its way down in which a wave's foam has spread
+LINGERING = 0.8  # chosen: waves until the foam that lies on the sand is 1/e as dense
 SHINE = 0.85  # chosen: alpha of the mirror image at a grazing angle
 LACE_REPEAT = 5.3  # chosen: tiles of lace per unit
 SOFT = 0.035  # chosen: reaches over which sand at the edge of the wet grows dry
@@ -74,14 +76,17 @@ def foam_at(place: np.ndarray, time: float, height: float) -> np.ndarray:
     """
     edge = float(front(np.array(time))) * height
     behind = np.maximum(edge - place, 0.0)
+    # Less than one half at the edge itself: it is frayed by lace, and no even line.
+    body = 0.12 * np.exp(-behind / 0.10) + 0.33 * np.exp(-behind / 0.6)
     if time < RISING:
-        body = 0.22 * np.exp(-behind / 0.08) + 0.32 * np.exp(-behind / 0.6)
         return np.asarray(np.where(place < edge, body, 0.0))
     drained = (time - RISING) / (1.0 - RISING)
-    film = 0.34 * (1.0 - drained) ** 0.6
+    # What the wave has brought spreads while it turns: nowhere does lace appear at once.
+    spread = min(drained / SPREADING, 1.0)
+    film = (body + spread * (0.34 - body)) * (1.0 - drained) ** 0.6
     left = 0.31 * (1.0 - drained) ** 1.3 * np.exp(-np.maximum(height - place, 0.0) / 0.5)
-    mark = 0.15 * (1.0 - drained) ** 0.5 * np.exp(-np.square((height - 0.05 - place) / 0.05))
-    foam = np.where(place < edge, film, left) + mark
+    mark = 0.11 * (1.0 - drained) ** 0.5 * np.exp(-np.square((height - 0.06 - place) / 0.06))
+    foam = np.where(place < edge, film, left) + spread * mark
     return np.asarray(np.where(place < height, foam, 0.0))
 
 
@@ -99,7 +104,7 @@ def diagram() -> Diagram:
     place = FIRST + (np.arange(ACROSS) + 0.5) / ACROSS * (LAST - FIRST)
     step = len(WAVES) / STEPS
     foam, wet, shine = np.zeros((3, STEPS, ACROSS))
-    now, gloss = np.zeros((2, ACROSS))
+    now, gloss, lace_left = np.zeros((3, ACROSS))
     for turn in range(2):  # the first time round, what is wet from before is not known
         for k in range(STEPS):
             wave, time = divmod((k + 0.5) * step, 1.0)
@@ -107,8 +112,11 @@ def diagram() -> Diagram:
             under = place < float(front(np.array(time))) * height
             now = np.where(under, 1.0, np.maximum(now - step / DRYING, 0.0))
             gloss = np.where(under, 1.0, gloss * np.exp(-step / SHINING))
+            # Lace lies on the sand until it is gone or the next wave takes it.
+            lace_left = np.where(under, 0.0, lace_left * np.exp(-step / LINGERING))
+            lace_left = np.maximum(foam_at(place, time, height), lace_left)
             if turn:
-                foam[k], wet[k], shine[k] = foam_at(place, time, height), now, gloss
+                foam[k], wet[k], shine[k] = lace_left, now, gloss
     wet, shine = softer(wet), softer(shine)
     # Farther out the sea has its own foam; at both ends nothing is left.
     inside = np.clip((place - FIRST - 0.05) / 0.5, 0.0, 1.0)
@@ -129,7 +137,8 @@ def reaches(slope: np.ndarray, x: np.ndarray, z: np.ndarray) -> np.ndarray:
     ragged = np.sin(4.1 * x + 1.3 * np.sin(2.3 * z)) * np.sin(3.7 * z - 1.1 * np.sin(2.9 * x))
     fine = np.sin(13.0 * x + 2.0 * np.sin(9.0 * z)) * np.sin(14.0 * z + 2.0 * np.sin(11.0 * x))
     level = np.minimum(HEIGHT / np.maximum(slope, 1e-3), LONGEST)
-    return np.asarray(level * (1.0 + UNEVEN * (0.55 * ragged + 0.45 * fine)))
+    cusps = np.sin(43.0 * x + 3.0 * np.sin(17.0 * z)) * np.sin(39.0 * z + 3.0 * np.sin(19.0 * x))
+    return np.asarray(level * (1.0 + UNEVEN * (0.45 * ragged + 0.35 * fine + 0.20 * cusps)))
 
 
 @dataclass(frozen=True)
@@ -305,7 +314,8 @@ class RunUp:
             gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
             if mirror is not None:
                 self._mirror(frame, strip, faded, moved, mirror)
-            self._frayed(strip, faded, moved, painted(settings.sun, FACING))
+            # Less density frays foam, and a little less frays it all away.
+            self._frayed(strip, faded**0.4, moved, painted(settings.sun, FACING))
 
     def _darken(self, strip: Tile, faded: np.ndarray, moved: float) -> None:
         """Multiply what is drawn by how dark wet sand is, and by 1 where the strip has faded."""
