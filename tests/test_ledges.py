@@ -1,11 +1,22 @@
 """The relief of steep rock: where it is, and that the walker stands on what is drawn of it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from landscape.elements.best.terrain.ledges import FINER, LedgedField, relief
-from landscape.elements.best.terrain.rock_faces import LEVELS, blocks, grain, with_grain
+from landscape.elements.best.terrain.rock_faces import (
+    LEVELS,
+    PLANES,
+    Block,
+    blocks,
+    grain,
+    in_planes,
+    with_grain,
+)
 from landscape.geometry.height_field import HeightField, ground_mesh
+from landscape.geometry.mesh import Mesh
 
 SIDE, SIZE, WATER = 25, 6.0, 0.5
 GREY, GREEN = (128, 124, 118), (70, 120, 40)
@@ -51,12 +62,17 @@ def test_turf_and_gentle_ground_have_no_ledges() -> None:
     assert relief(gentle, painted(GREY), 1.0).max() == 0.0
 
 
-def test_the_walker_stands_on_the_triangles_that_are_drawn(ledged: LedgedField) -> None:
+def rock(ledged: LedgedField) -> list[Block]:
+    """Return the blocks of the pyramid's rock."""
     mesh = with_grain(ground_mesh(pyramid(), (24.0, 18.0, 5.4, 1.0)))
     colors = np.full((len(mesh.vertices), 4), 255, np.uint8)
-    mesh = type(mesh)(mesh.vertices, mesh.normals, mesh.triangles, mesh.coordinates, colors)
+    mesh = replace(mesh, colors=colors)
     labels = np.full(len(mesh.triangles), 4)
-    found = blocks(ledged, mesh, RATES, labels, np.array([0.5, 0.7, 0.5]))
+    return blocks(ledged, mesh, RATES, labels, np.array([0.5, 0.7, 0.5]))
+
+
+def test_the_walker_stands_on_the_triangles_that_are_drawn(ledged: LedgedField) -> None:
+    found = rock(ledged)
     assert found
     for block in found:
         assert len(block.meshes) == len(LEVELS)
@@ -66,6 +82,45 @@ def test_the_walker_stands_on_the_triangles_that_are_drawn(ledged: LedgedField) 
             assert np.abs(ledged.terrain_height(x, z) - y).max() < 1e-4
         counts = [len(each.triangles) for each in block.meshes]
         assert counts == sorted(counts, reverse=True)
+
+
+def stretches(mesh: Mesh, layer: int, rate: float) -> np.ndarray:
+    """Return how many times longer than it should be a texture's unit is on each triangle, most."""
+    points, looked_up = mesh.vertices[mesh.triangles], mesh.coordinates[layer][mesh.triangles]
+    sides = (points[:, 1:] - points[:, :1]).astype(float)
+    along = sides[:, 0] / np.linalg.norm(sides[:, 0], axis=1, keepdims=True)
+    aside = sides[:, 1] - (sides[:, 1] * along).sum(axis=1, keepdims=True) * along
+    aside /= np.linalg.norm(aside, axis=1, keepdims=True)
+    flat = np.stack([(sides * each[:, None]).sum(axis=2) for each in (along, aside)], axis=2)
+    steps = (looked_up[:, 1:] - looked_up[:, :1]).astype(float) / rate
+    least = np.linalg.svd(np.linalg.solve(flat, steps), compute_uv=False)[:, -1]
+    return np.asarray(1.0 / least)
+
+
+def test_rock_that_stands_is_looked_up_from_in_front(ledged: LedgedField) -> None:
+    meshes = [block.meshes[0] for block in rock(ledged)]
+    stretched = np.concatenate([stretches(mesh, 2, RATES[2]) for mesh in meshes])
+    assert np.median(stretched) < 1.15 and np.quantile(stretched, 0.98) < 2.0
+    flat = [replace(mesh, coordinates=(mesh.vertices[:, ::2],)) for mesh in meshes]
+    from_above = np.concatenate([stretches(mesh, 0, 1.0) for mesh in flat])
+    assert np.quantile(from_above, 0.98) > 2.0, "as it was on a height field"
+    assert np.allclose(PLANES @ PLANES.transpose(0, 2, 1), np.eye(3), atol=1e-6)
+
+
+def test_level_cells_and_the_large_texture_keep_their_coordinates() -> None:
+    mesh = ground_mesh(HeightField(np.ones((4, 4), np.float32), 3.0, 0.5, exact=True), (5.0, 1.0))
+    mesh = replace(mesh, colors=np.full((16, 4), 255, np.uint8))
+    same = in_planes(mesh, (5.0, 0.0))
+    for one, other in zip(same.coordinates, mesh.coordinates, strict=True):
+        assert np.array_equal(one[same.triangles], other[mesh.triangles])
+    upright = replace(mesh, normals=np.tile(np.float32([1.0, 0.0, 0.0]), (16, 1)))
+    turned = in_planes(upright, (5.0, 0.0))
+    assert not np.array_equal(
+        turned.coordinates[0][turned.triangles], mesh.coordinates[0][mesh.triangles]
+    )
+    assert np.array_equal(
+        turned.coordinates[1][turned.triangles], mesh.coordinates[1][mesh.triangles]
+    )
 
 
 def test_rules_that_ask_how_steep_ground_is_mean_the_broad_slope(ledged: LedgedField) -> None:

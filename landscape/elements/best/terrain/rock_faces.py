@@ -7,7 +7,8 @@ distance decides. The units are the ground's four, and two more: unit 4 multipli
 texture once again, CLOSER times as often, so that there is a grain at arm's length; unit 5
 multiplies by the vertices' colour: the sun on ledges relative to the slope that the large texture
 has its light from, shadow in gullies and under edges, lichen on what faces up, streaks where water
-runs. Not in the report.
+runs. A cell is looked up in one of 17 planes, the one that it lies in best: what is laid down from
+above is streaks on a face that stands. Not in the report.
 Cost: no layer more (what is below is rejected), two look-ups on rock; up to 128 triangles a cell.
 State used: as the ground, with six texture units.
 """
@@ -36,6 +37,7 @@ from landscape.gl.draw import draw_mesh
 LEAST = 0.004  # units: a cell whose relief is nowhere higher has none
 BLOCK = 10  # cells along the side of a block
 LEVELS = ((1, 3.5), (2, 9.0), (4, np.inf))  # every how many-th vertex, up to which distance
+TILTS = np.radians([48.0, 8.0])  # of the planes' normals above the horizon
 CLOSER = 4.3  # times as often is the rock's texture repeated in unit 4
 GRAIN_LEVELS = 6  # mip levels in which that grain fades out
 AMBIENT, SUNLIGHT = 0.42, 0.75  # light on rock in shadow, and the sun's on rock that faces it
@@ -44,6 +46,24 @@ HOLLOW = ((3, 7.0), (10, 3.5))  # cells of the relief around, and how much a hol
 LICHEN = np.array([1.10, 1.09, 0.92])  # times the colour of the rock
 RUST = np.array([1.12, 0.98, 0.82])
 STREAK = np.array([0.66, 0.67, 0.70])
+
+
+def planes() -> np.ndarray:
+    """Return planes as the directions of s, of t and of the normal, float32 (17, 3, 3).
+
+    The first is level. The others face eight ways, each once aslant and once upright.
+    """
+    found = [np.array([(1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0)])]
+    for up in TILTS:
+        for turn in np.arange(8) * np.pi / 4:
+            ahead = np.array([np.cos(turn), 0.0, np.sin(turn)])
+            aside = np.array([-np.sin(turn), 0.0, np.cos(turn)])
+            normal = np.array([0.0, np.sin(up), 0.0]) + np.cos(up) * ahead
+            found.append(np.array([aside, np.cross(normal, aside), normal]))
+    return np.array(found, np.float32)
+
+
+PLANES = planes()
 
 
 def lights(field: LedgedField, sun: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -128,10 +148,6 @@ def blocks(
     shares = mesh.colors[:, 3].reshape(cells + 1, cells + 1).astype(np.float32)
     grids = [part.reshape(cells + 1, cells + 1, 2) for part in mesh.coordinates]
 
-    level = mesh.normals[:, [0, 2]]
-    level = level / np.maximum(np.linalg.norm(level, axis=1, keepdims=True), 1e-3)
-    downhill = level.reshape(cells + 1, cells + 1, 2)
-
     def between(values: np.ndarray, r: int, c: int) -> np.ndarray:
         """Return values at the vertices of cell r, c, from its four corners."""
         t = np.linspace(0.0, 1.0, FINER + 1, dtype=np.float32)
@@ -154,26 +170,25 @@ def blocks(
             stands = ramp(0.0, 0.05, raised[own])
             parts[2].append(share + stands * (255.0 - share))
             parts[3].append(colours[own])
-            # On a ledge's upright face the details run on along its height, not as streaks.
-            down = raised[own][..., None] * between(downhill, r, c)
-            for part, grid, rate in zip(parts[4:], grids, rates, strict=True):
-                part.append(between(grid, r, c) - rate * down)
+            for part, grid in zip(parts[4:], grids, strict=True):
+                part.append(between(grid, r, c))
 
         many = [np.stack(each) for each in parts]
 
         def level(step: int) -> Mesh:
             points, up, share, colour, *uv = (each[:, ::step, ::step] for each in many)
             side = points.shape[1]
-            few = grid_triangles(side, side).astype(np.uint32)
-            starts = (np.arange(len(points)) * side * side).astype(np.uint32)
+            few = grid_triangles(side, side).astype(np.int64)
+            starts = np.arange(len(points)) * side * side
             rgba = np.concatenate([np.clip(127.5 * colour, 0, 255), share[..., None]], axis=3)
-            return Mesh(
-                np.ascontiguousarray(points.reshape(-1, 3), np.float32),
-                np.ascontiguousarray(up.reshape(-1, 3), np.float32),
-                np.ascontiguousarray((few[None] + starts[:, None, None]).reshape(-1, 3)),
-                tuple(np.ascontiguousarray(each.reshape(-1, 2), np.float32) for each in uv),
-                np.ascontiguousarray(rgba.reshape(-1, 4).astype(np.uint8)),
+            flat = Mesh(
+                points.reshape(-1, 3).astype(np.float32),
+                up.reshape(-1, 3).astype(np.float32),
+                (few[None] + starts[:, None, None]).reshape(-1, 3),
+                tuple(each.reshape(-1, 2).astype(np.float32) for each in uv),
+                rgba.reshape(-1, 4).astype(np.uint8),
             )
+            return in_planes(flat, rates)
 
         return tuple(level(step) for step, _ in LEVELS)
 
@@ -188,6 +203,35 @@ def blocks(
                     points = meshes[0].vertices
                     found.append(Block(meshes, points.min(axis=0), points.max(axis=0), turf))
     return found
+
+
+def in_planes(mesh: Mesh, rates: tuple[float, ...]) -> Mesh:
+    """Return a mesh of cells of two triangles whose steep cells have textures seen from in front.
+
+    A cell is looked up in the plane of PLANES that it lies in best; each has its own copies of the
+    vertices on its border. A cell that is level keeps its coordinates, as do textures that are
+    repeated 0 times per unit, by ``rates``.
+    """
+    facing = mesh.normals[mesh.triangles.reshape(-1, 6)].sum(axis=1) @ PLANES[:, 2].T
+    plane = np.repeat(facing.argmax(axis=1), 2)
+    count = len(mesh.vertices)
+    corners, triangles = np.unique(mesh.triangles + plane[:, None] * count, return_inverse=True)
+    plane, own = np.divmod(corners, count)
+    points = mesh.vertices[own]
+    seen = (PLANES[plane, :2] * points[:, None]).sum(axis=2)
+    level = (plane == 0)[:, None]
+    coordinates = tuple(
+        np.ascontiguousarray(np.where(level, each[own], rate * seen) if rate else each[own])
+        for each, rate in zip(mesh.coordinates, rates, strict=True)
+    )
+    assert mesh.colors is not None
+    return Mesh(
+        points,
+        mesh.normals[own],
+        np.ascontiguousarray(triangles.reshape(-1, 3), np.uint32),
+        tuple(each.astype(np.float32) for each in coordinates),
+        mesh.colors[own],
+    )
 
 
 def grain(rock: np.ndarray) -> list[np.ndarray]:
