@@ -20,6 +20,15 @@ def test_a_furrow_is_darker_than_the_middle_of_a_scale() -> None:
     assert tile[second - first < 0.05].mean() < 0.8 * tile[first < 0.15].mean()
 
 
+def test_a_scale_is_a_dome_and_no_flat_tile_with_a_line_around_it() -> None:
+    first, second, _ = nearest_points(512, 8)
+    tile = scales(512, 8)[..., 0].astype(float)
+    apart = second - first
+    steps = [tile[(apart > low) & (apart <= low + 0.1)].mean() for low in (0.0, 0.15, 0.3, 0.5)]
+    # It grows brighter all the way in, by no more at the rim than farther in altogether.
+    assert all(one + 3.0 < other for one, other in zip(steps, steps[1:], strict=False))
+
+
 def test_only_skin_that_is_bluer_than_red_has_scales() -> None:
     places = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], np.float32)
     triangles = np.array([(0, 1, 2), (1, 3, 2)], np.uint32)

@@ -16,10 +16,13 @@ from landscape.geometry.mesh import Mesh
 
 SIDE = 512  # texels
 SCALES = 32  # chosen: scales along a side of the tile
-SCATTER = 0.6  # chosen: part of its square of the lattice in which a scale's point may lie
-FURROW = 0.2  # chosen: width of a furrow, in squares of the lattice
-DARKEST = 0.5  # chosen: brightness at the bottom of a furrow
-UNLIKE = 0.12  # chosen: how much scales differ in brightness
+SCATTER = 0.68  # chosen: part of its square of the lattice in which a scale's point may lie
+FURROW = 0.45  # chosen: width of a furrow and its flanks, in squares of the lattice
+DARKEST = 0.56  # chosen: brightness at the bottom of a furrow
+DOMED = 0.42  # chosen: brightness that a scale loses from its middle, by the square of the way out
+UNLIKE = 0.16  # chosen: how much scales differ in brightness
+PATCHES, PATCH = 0.10, 3  # chosen: how much larger parts of the skin do, and cycles of these a side
+GRAINS, GRAIN = 5, 0.10  # chosen: grains along a scale, and how much they differ in brightness
 SEED = 2006
 
 
@@ -56,10 +59,18 @@ def scales(side: int = SIDE, count: int = SCALES) -> np.ndarray:
     generator = np.random.default_rng(SEED + 1)
     tone = generator.uniform(1.0 - UNLIKE, 1.0 + UNLIKE, count * count)[number]
 
+    # A scale is a dome that goes over into the furrow: with flat scales and lines between them the
+    # skin would be tiled.
     rim = np.clip((second - first) / FURROW, 0.0, 1.0)
-    rim = rim * rim * (3.0 - 2.0 * rim)
-    dome = 1.0 - 0.30 * first  # a scale is brightest in its middle, which faces outwards
-    grey = (DARKEST + (1.0 - DARKEST) * rim) * dome * tone
+    rim = np.sin(0.5 * np.pi * rim) ** 0.7
+    dome = 1.0 - DOMED * np.square(first / 0.7)
+    turn = 2.0 * np.pi * PATCH * np.arange(side) / side
+    patches = np.sin(turn)[:, None] * np.sin(turn + 1.0)[None, :]
+    patches = 1.0 + PATCHES * np.sin(turn[:, None] + 1.7 * patches) * np.sin(turn + 1.7 * patches)
+    grains = nearest_points(side, count * GRAINS)[0] if count * GRAINS < side else 0.5
+    grey = (DARKEST + (1.0 - DARKEST) * rim) * dome * tone * patches
+    grey *= 1.0 + GRAIN * (1.0 - 2.0 * grains)
+    grey *= 1.04 / np.quantile(grey, 0.98)
     return np.repeat(np.rint(np.clip(grey, 0.0, 1.0) * 255)[..., None], 3, axis=2).astype(np.uint8)
 
 
