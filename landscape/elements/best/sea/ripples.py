@@ -33,7 +33,7 @@ from landscape.gl.display_list import DisplayList
 from landscape.gl.features import possible
 
 STEEP = 0.25  # chosen: standard deviation of the slopes where water.ripples is 1
-MUTED = 0.2  # chosen: by how much a slope of 1 changes the opacity at least
+MUTED = 0.3  # chosen: by how much a slope of 1 changes the opacity at least
 TILES = (0.32, 2.8)  # chosen: tiles of each layer per tile of water.repeat: a long and a fine one
 TURNS = np.radians([11.0, 48.0])  # chosen: by which each layer is turned on the map
 DRIFTS = ((0.19, 0.10), (0.05, 0.06))  # chosen: units per t along x and z
@@ -43,7 +43,7 @@ FINE_LEVELS = (1.0, 0.95, 0.75, 0.4, 0.1, 0.0)  # chosen: the fine layer's contr
 HELD = (RANGE, 1.6)
 # Chosen: cycles per tile of each layer's longest waves, and how unevenly waves are spread over it.
 # The long one is so large that near the eye any single patch of it would be a swirl in the sea.
-LONGEST, PATCHES = (8.0, 4.0), (0.0, 0.2)
+LONGEST, PATCHES = (6.0, 4.0), (0.05, 0.2)
 FINE_CELLS = 0.06  # chosen: units, in larger cells of the grid the fine layer is flat
 LEAST = 0.45  # chosen: share of the higher place of the mirror image at a grazing angle
 APART = 0.02  # chosen: slope between the mirror image's two places, and the level sea
@@ -177,7 +177,7 @@ class Ripples:
             change = change_of_opacity(grid, cosine, water.color[3])
 
         # In sheltered water ripples are fewer, too: the mirror image holds together.
-        change = (change + np.float32(MUTED)) * rough * sheltered
+        change = (change + np.float32(MUTED)) * rough * np.sqrt(sheltered)
         change *= np.float32(STEEP * RANGE * water.ripples)
         one, two = sights(grid, level, change, mirror is None)
         repeat = water.repeat / water.patch
