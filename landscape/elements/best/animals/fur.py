@@ -51,7 +51,9 @@ SKYWARD = np.array([0.25, 0.70, 0.0])  # where on an eye the glint is, from its 
 
 # The texture of hairs. Chosen; lengths are in its texels.
 SIDE, HAIRS = 256, 9000  # its texels, and how many hairs lie in it
-LONG, WIDE, BENT = (14.0, 30.0), (0.7, 1.3), 3.0  # length, half width at the root, sideways bend
+LONG = (14.0, 30.0)  # length
+WIDE = (0.7, 1.3)  # half width at the root
+BENT = 3.0  # sideways bend
 FINER = 2  # times as many texels in which hairs are drawn
 LOWEST, BELOW = 0.12, 0.55  # height and brightness of the wool between hairs
 # Tints of hairs: buff, grey, black; and how many of a hundred are of each.
@@ -84,7 +86,8 @@ def hair_texture(seed: int = 7) -> np.ndarray:
     reached = height * (0.3 + 0.7 * t) * np.clip(2.0 * profile, 0.0, 1.0)
     shade = 0.72 + 0.36 * t + 0 * profile  # a root is dark
 
-    own, _, _ = seen = np.nonzero(reached > LOWEST)
+    seen = np.nonzero(reached > LOWEST)
+    own = seen[0]
     reached, shade = reached[seen], shade[seen]
     texel = (np.floor(y).astype(int) % side * side + np.floor(x).astype(int) % side)[seen]
     drawn = np.empty((side * side, 4))
