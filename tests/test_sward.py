@@ -168,7 +168,9 @@ def test_green_cards_widen_far_away_and_flowers_keep_their_shape(sow) -> None:
     )
     wider, green = width / still, patch.kinds < GREEN_KINDS
     seen = width > 0
-    assert np.allclose(wider[away < 0.15], 1.0, atol=1e-2)
+    near = away < 0.15
+    slim = slimmed(away, patch.kinds)
+    assert np.allclose(wider[near], slim[near], atol=1e-2) and slim[near].min() < 0.9
     far = seen & (away > 2.0) & (away < 3.0)
     assert wider[far & green].min() > 3.0
     assert 1.0 < wider[far & ~green].max() < 2.5
