@@ -37,11 +37,16 @@ from copies import copies
 from gl_state import changes, snapshot
 from hall_pictures import HallPictures
 from stage import Stage, write_plain
-from sweeps import Todays, of_day
+from sweeps import Todays, longest_first, of_day
 
 from framelens.base.errors import NoOpenGLError
 from framelens.gl.context import Context, open_context
 from landscape.files.assets import Assets
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Give files to the workers in the order of `longest_first`, not by their numbers of tests."""
+    config.option.loadscopereorder = False
 
 
 def pytest_collection_finish() -> None:
@@ -91,6 +96,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         )
     if not runs_all(config):
         leave_out(config, items, not_today(items, int(os.environ["LANDSCAPE_TESTS_DAY"])))
+    if WORKER:
+        items.sort(key=lambda item: longest_first(item.location[0]))
 
 
 def runs_all(config: pytest.Config) -> bool:
@@ -101,8 +108,8 @@ def runs_all(config: pytest.Config) -> bool:
 def not_today(items: list[pytest.Item], day: int) -> list[pytest.Item]:
     """Return what is not run on this day: after n days each test and each case has been run.
 
-    Of a test marked `sweep(n, first=0)` every nth case is run, at least one of them; on the next
-    day the cases after them. A test marked `seldom(n, first=0)` is run on one day in n.
+    Of a test marked `sweep(n, first=0)` every nth case is run; on the next day the cases after
+    them, or none if it has fewer than n. A test marked `seldom(n, first=0)` is run on one day in n.
     """
     families: defaultdict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
@@ -133,11 +140,16 @@ def leave_out(config: pytest.Config, items: list[pytest.Item], unwanted: list[py
 
 @pytest.fixture(scope="session")
 def todays(pytestconfig: pytest.Config) -> Todays:
-    """Chooses the cases for this day inside a test, as `sweep` does among tests."""
-    if runs_all(pytestconfig):
-        return lambda cases, every, first=0: list(cases)
+    """Chooses cases for this day inside a test, as `sweep` does among tests; at least one."""
+    return todays_of(pytestconfig)
+
+
+def todays_of(config: pytest.Config) -> Todays:
+    """Return what chooses the cases of a run."""
+    if runs_all(config):
+        return lambda cases, every, turns=1: list(cases)
     day = int(os.environ["LANDSCAPE_TESTS_DAY"])
-    return lambda cases, every, first=0: of_day(cases, day, every, first)
+    return lambda cases, every, turns=1: of_day(cases, day // turns, min(every, len(cases)))
 
 
 @pytest.fixture(scope="session")

@@ -1,4 +1,4 @@
-"""Which cases of a sweep are run on a day: after n days each of them has been."""
+"""Which cases of a sweep are run on a day, and in which order files are given to workers."""
 
 from collections.abc import Sequence
 from typing import Protocol, TypeVar
@@ -9,11 +9,33 @@ Item = TypeVar("Item")
 class Todays(Protocol):
     """Chooses the cases of one test."""
 
-    def __call__(self, cases: Sequence[Item], every: int, first: int = 0) -> list[Item]:
-        """Return every nth case, at least one of them; on the next day those after them."""
+    def __call__(self, cases: Sequence[Item], every: int, turns: int = 1) -> list[Item]:
+        """Return every nth case, at least one of them; in the next turn those after them.
+
+        A test that itself runs on one day in ``turns`` says so: else it would take the same cases
+        whenever it runs, if the two numbers have a factor in common.
+        """
 
 
 def of_day(cases: Sequence[Item], day: int, every: int, first: int = 0) -> list[Item]:
-    """Return every nth case, at least one of them; on the next day those after them."""
-    every = min(every, len(cases))
-    return list(cases[(first + day) % every :: every]) if cases else []
+    """Return every nth case; on the next day those after them.
+
+    If there are fewer than n, there is none on some days.
+    """
+    return list(cases[(first + day) % every :: every])
+
+
+# Files that take a worker longest, the longest first: begun last, one would go on alone at the end.
+LONG = (
+    *("attacks", "cluster", "window", "no_shaders_called", "exercises", "cli", "drivers", "site"),
+    *("contract", "catalogues", "documents", "why", "solutions", "voxel_visibility", "film"),
+    *("lessons", "title", "strip", "contexts", "hall_shadow", "notebooks", "grader", "trials"),
+    *("time", "every_setting_shows", "weathered_castle", "voxel_play", "guard", "parts", "bench"),
+    *("scene", "sandbox", "program_glfw", "face", "lecture", "lesson_programs", "goldens"),
+)
+
+
+def longest_first(path: str) -> int:
+    """Return the place of a file of tests among those of a run; most have the last one."""
+    name = path.rpartition("/")[2].removeprefix("test_").removesuffix(".py")
+    return LONG.index(name) if name in LONG else len(LONG)

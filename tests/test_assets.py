@@ -41,13 +41,14 @@ def studio() -> Any:
 # ---- the shipped assets -----------------------------------------------------------------------
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10)
 def test_the_shipped_assets_pass_every_check() -> None:
     found = list(check())
     assert len(found) > 90
     assert [finding.line() for finding in found if not finding.ok] == []
 
 
+@pytest.mark.seldom(5)
 def test_every_asset_of_the_studio_is_checked(studio: Any) -> None:
     meshes = {**checks.MESHES, **checks.TEXTURED}
     kinds = checks.SIZES, meshes, checks.ENVIRONMENTS, checks.PLACES_FILES
@@ -219,6 +220,7 @@ def save(pixels: np.ndarray, path: Path) -> None:
     Image.fromarray(pixels).save(path)
 
 
+@pytest.mark.seldom(5)
 def test_an_image_of_the_wrong_size_or_mode_is_found(tmp_path: Path) -> None:
     save(np.zeros((100, 100, 3), np.uint8), tmp_path / "blade.png")
     save(np.zeros((512, 512, 3), np.uint8), tmp_path / "plant.png")
@@ -226,7 +228,7 @@ def test_an_image_of_the_wrong_size_or_mode_is_found(tmp_path: Path) -> None:
     assert found == {("plant.png", "size"), ("blade.png", "size")}
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10)
 def test_exceeding_the_total_size_is_found(tmp_path: Path) -> None:
     shutil.copy(shipped() / "dragon.ply", tmp_path)
     with (tmp_path / "dragon.ply").open("ab") as file:
@@ -248,13 +250,14 @@ def test_a_sprite_in_the_sea_is_found(tmp_path: Path) -> None:
     assert failures(tmp_path, checks.check_places) == {("avenue.csv", "places")}
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_detail_that_darkens_is_found(tmp_path: Path) -> None:
     detail = np.asarray(Image.open(shipped() / "ground_detail.png").convert("RGB"))
     save((detail * 0.9).astype(np.uint8), tmp_path / "ground_detail.png")
     assert failures(tmp_path, checks.check_tiles) == {("ground_detail.png", "mean")}
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7)
 def test_a_horizon_without_the_fog_colour_is_found(tmp_path: Path) -> None:
     wall = np.asarray(Image.open(shipped() / "sky_north.png")).copy()
     wall[-1] += 9
@@ -265,7 +268,7 @@ def test_a_horizon_without_the_fog_colour_is_found(tmp_path: Path) -> None:
     }
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=1)
 def test_a_step_along_an_edge_of_coded_sky_is_found_and_noise_of_coding_is_not(
     tmp_path: Path,
 ) -> None:
@@ -297,6 +300,7 @@ def ply(vertices: np.ndarray, triangles: np.ndarray) -> bytes:
     return (head + "\n".join(rows) + "\n").encode()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_every_fault_of_a_mesh_is_found(tmp_path: Path) -> None:
     (tmp_path / "rabbit.ply").write_bytes(ply(CORNERS, TETRAHEDRON[:, ::-1]))
     found = failures(tmp_path, checks.check_meshes)
@@ -307,6 +311,7 @@ def test_every_fault_of_a_mesh_is_found(tmp_path: Path) -> None:
     assert found >= {("rabbit.ply", name) for name in ("watertight", "winding")}
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 def test_a_broken_file_is_a_finding_and_the_checks_continue(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -349,7 +354,7 @@ def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
         assert difference.max() <= 1 and (difference > 0).mean() < 1e-3
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=6)
 def test_the_hall_s_light_was_baked_from_the_hall_as_it_is(
     studio: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -386,7 +391,7 @@ def test_a_jpeg_keeps_its_colours_at_full_resolution(studio: Any) -> None:
     assert off.mean() < 8, "half the colours would be lost in columns of one texel"
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=3)
 def test_two_processes_make_the_same_bytes_as_one(studio: Any) -> None:
     names = ["blade.png", "castle_light.png"]
     assert dict(studio.make_all(names)) == {name: studio.make(name) for name in names}
@@ -429,7 +434,7 @@ def test_an_interrupted_write_keeps_the_old_file(
     assert path.read_bytes() == b"old"
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=3)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_a_build_interrupted_by_the_user_ends_at_once_and_leaves_nothing(
     studio: Any, tmp_path: Path

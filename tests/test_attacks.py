@@ -18,6 +18,7 @@ from typing import Any
 import pytest
 from commands import python
 from solved import solved
+from sweeps import Todays
 
 from framelens.base.errors import InputError, UnexpectedError
 from framelens.system import containment, limits
@@ -441,7 +442,9 @@ def assert_nothing_runs_but(grader: Grader, running: set[int], home: Path) -> No
 
 
 @pytest.mark.parametrize("name", ATTACKS)
-def test_an_attack_reaches_nothing(name: str, grader: Grader, home: Path, port: int) -> None:
+def test_an_attack_reaches_nothing(
+    name: str, grader: Grader, home: Path, port: int, todays: Todays
+) -> None:
     before, running = files(home), processes(home)
     try:
         report = attack(grader, home, port, ATTACKS[name])
@@ -450,8 +453,10 @@ def test_an_attack_reaches_nothing(name: str, grader: Grader, home: Path, port: 
         assert name == DEFECT
     assert files(home) == before
     assert_nothing_runs_but(grader, running, home)
-    after = grader.check(home / "work" / "other.py")
-    assert after.passed and after.contained == LANDLOCK
+    # What an attack has spoilt for the next program would show in the next attack, too.
+    if name in todays(list(ATTACKS), 4):
+        after = grader.check(home / "work" / "other.py")
+        assert after.passed and after.contained == LANDLOCK
     assert not list(grader._sandbox._place.folder.glob("[0-9]*"))  # type: ignore[union-attr]
 
 
@@ -551,7 +556,7 @@ wait()
     assert report.error is not None and report.error["word"] == "much"
 
 
-@pytest.mark.seldom(5, first=2)
+@pytest.mark.seldom(5, first=1)
 def test_the_process_of_which_programs_are_copies_has_nothing_of_those_before(
     grader: Grader, home: Path
 ) -> None:
@@ -725,7 +730,7 @@ def test_python_refuses_it_by_itself(name: str, python_grader: Grader, home: Pat
     assert files(home) == before
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(3, first=2)
 def test_temporary_files_are_allowed_to_every_program(grader: Grader, home: Path) -> None:
     code = """
 import tempfile

@@ -132,14 +132,14 @@ def check_same(kind: str, env: dict[str, str], reference: dict[str, str]) -> Non
     assert found == reference
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_egl_without_a_surface_gives_the_same_pixels(reference: dict[str, str]) -> None:
     need_library("EGL")
     check_same("egl", environment(), reference)
 
 
 @pytest.mark.window
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=3)
 def test_a_hidden_window_gives_the_same_pixels(
     reference: dict[str, str], screen: dict[str, str]
 ) -> None:
@@ -148,7 +148,7 @@ def test_a_hidden_window_gives_the_same_pixels(
 
 @pytest.mark.window
 @pytest.mark.parametrize(("backend", "library"), [("osmesa", "OSMesa"), ("egl", "EGL")])
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(12, first=9)
 def test_the_null_platform_of_glfw_gives_the_same_pixels(
     backend: str, library: str, reference: dict[str, str]
 ) -> None:
@@ -156,13 +156,13 @@ def test_the_null_platform_of_glfw_gives_the_same_pixels(
     check_same(f"null {backend}", environment(), reference)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=3)
 def test_software_asked_for_gives_the_same_pixels(reference: dict[str, str]) -> None:
     check_same("software", environment(), reference)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="EGL stands in for macOS's CGL on Linux")
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_a_context_without_a_framebuffer_of_its_own_gives_the_same_pixels(
     reference: dict[str, str],
 ) -> None:
@@ -171,7 +171,7 @@ def test_a_context_without_a_framebuffer_of_its_own_gives_the_same_pixels(
 
 
 @pytest.mark.window
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_render_in_a_hidden_window_writes_the_same_file(
     tmp_path: Path, screen: dict[str, str]
 ) -> None:
@@ -220,7 +220,7 @@ def test_a_missing_libgl_is_named_by_its_package(screen: dict[str, str]) -> None
     assert one_line(done.err) and advice.install("glfw") in done.err
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_an_unloadable_library_ends_with_status_3(tmp_path: Path) -> None:
     names = ["OSMesa.dll"] if WINDOWS else libraries.file_names("OSMesa")
     for name in names:
@@ -231,7 +231,7 @@ def test_an_unloadable_library_ends_with_status_3(tmp_path: Path) -> None:
     assert str(tmp_path / names[0]) in done.err and advice.install("osmesa") in done.err
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=2)
 def test_auto_uses_the_next_backend_if_the_first_is_missing(tmp_path: Path) -> None:
     need_library("OSMesa", "EGL")
     for name, hidden in (("first", "nothing"), ("next", "OSMesa")):
@@ -279,6 +279,7 @@ except NoOpenGLError as error:
     assert "runs on osmesa in this process" in done.out, done.err
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize("backend", ["osmesa", "null"])
 def test_a_context_may_be_closed_right_after_a_bitmap_was_drawn(backend: str) -> None:
     need_library("OSMesa")
@@ -297,6 +298,7 @@ context.release()
     assert (done.status, done.err) == (0, "")
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize("backend", ["osmesa", "egl"])
 def test_contexts_can_be_opened_and_closed_repeatedly_in_one_process(backend: str) -> None:
     need_library({"osmesa": "OSMesa", "egl": "EGL"}[backend])
@@ -317,7 +319,7 @@ for _ in range(20):
 # --- doctor ------------------------------------------------------------------------------------
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=9)
 def test_doctor_json_has_the_documented_fields() -> None:
     done = landscape("doctor", "--json")
     found = done.json()
@@ -342,13 +344,13 @@ def test_doctor_json_has_the_documented_fields() -> None:
     assert found["backends"]["glfw"]["ok"] == WINDOWS, "there is no display elsewhere"
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=9)
 @pytest.mark.window
 def test_doctor_finds_the_glfw_backend_if_there_is_a_display(screen: dict[str, str]) -> None:
     assert landscape("doctor", "--json", env=screen).json()["backends"]["glfw"]["ok"]
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=3)
 def test_doctor_prints_one_line_per_backend() -> None:
     done = landscape("doctor")
     assert done.status == 0 and done.err == ""
@@ -373,7 +375,7 @@ sys.exit(main(["doctor", *sys.argv[1:]]))
     assert found["chosen"] is None
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=3)
 def test_doctor_survives_a_backend_that_crashes_or_hangs(
     tmp_path: Path,
 ) -> None:

@@ -64,7 +64,7 @@ def plain_heights(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) ->
     return picture
 
 
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(8)
 @pytest.mark.parametrize("kind", ["16 bits", "palette", "alpha", "grey and alpha", "RGB", "TIFF"])
 def test_a_height_image_in_any_format_gives_the_same_island_as_8_bit_grey(
     kind: str, shell: Shell, plain_heights: np.ndarray
@@ -115,14 +115,14 @@ def test_a_height_image_8000_pixels_wide_is_accepted(deep: bool, shell: Shell) -
     succeeded(draw_heights(shell, "wide.png"), shell.cwd / "out.png")
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=6)
 def test_a_very_large_height_image_is_accepted_without_a_warning(shell: Shell) -> None:
     # At 96 megapixels Pillow would warn of a "decompression bomb".
     Image.new("1", (12000, 8000), 1).save(shell.cwd / "large.png")
     succeeded(draw_heights(shell, "large.png"), shell.cwd / "out.png")
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=4)
 def test_an_excessively_large_image_is_refused(shell: Shell) -> None:
     Image.new("1", (20000, 10000)).save(shell.cwd / "bomb.png")
     refused(draw_heights(shell, "bomb.png"), "bomb.png", "too large")
@@ -280,7 +280,7 @@ GOOD_MESHES = {
 }
 
 
-@pytest.mark.sweep(3, first=2)
+@pytest.mark.sweep(3)
 @pytest.mark.parametrize("kind", GOOD_MESHES)
 def test_a_mesh_in_any_variant_of_ply_looks_the_same(
     kind: str, shell: Shell, plain_mesh: np.ndarray
@@ -366,7 +366,7 @@ TEXTURES = {
 }
 
 
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(8, first=2)
 @pytest.mark.parametrize("element", TEXTURES)
 def test_a_broken_texture_of_the_user_is_refused_by_name(element: str, shell: Shell) -> None:
     mine = shell.cwd / "mine"
@@ -378,7 +378,7 @@ def test_a_broken_texture_of_the_user_is_refused_by_name(element: str, shell: Sh
     assert files(shell.cwd) == {}
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=6)
 @pytest.mark.parametrize("kind", ["37 x 53", "1 x 1", "grey", "palette", "16 bits"])
 def test_textures_of_any_size_and_format_are_accepted(kind: str, shell: Shell) -> None:
     mine = shell.cwd / "mine"
@@ -453,7 +453,7 @@ def test_a_settings_file_that_cannot_be_read_is_refused(shell: Shell) -> None:
         refused(shell("settings", "--settings", name), name)
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=6)
 def test_the_largest_allowed_values_are_rendered(shell: Shell) -> None:
     # One at a time, because each is slow.
     for change in (
@@ -525,7 +525,7 @@ def test_a_wrong_argument_of_another_command_is_refused(
     refused(shell(*arguments), word)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=8)
 @pytest.mark.parametrize("more", [(), ("more",)])
 def test_an_asset_that_nothing_makes_is_refused(more: tuple[str, ...], shell: Shell) -> None:
     pytest.importorskip("numba", reason="the extra `studio` is not installed")
@@ -593,7 +593,7 @@ def test_a_failed_run_keeps_the_earlier_file_and_leaves_no_folder(shell: Shell) 
     assert not (shell.cwd / "new").exists()
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13)
 def test_the_contact_sheet_of_broken_assets_is_not_written(shell: Shell) -> None:
     (shell.cwd / "mine").mkdir()
     (shell.cwd / "mine" / "water.png").write_bytes(b"")

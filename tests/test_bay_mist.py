@@ -59,7 +59,7 @@ def picture(kt: float = 40.0, **settings: Any) -> np.ndarray:
         return view.draw().astype(np.int16)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=12)
 def test_mist_lies_over_the_bay_where_it_is_asked_for_and_drifts() -> None:
     clear = picture()
     misty = picture(mist_enabled=True)
@@ -70,7 +70,7 @@ def test_mist_lies_over_the_bay_where_it_is_asked_for_and_drifts() -> None:
     assert np.abs(later - misty)[45:].max() > 15
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=9)
 def test_the_mist_is_drawn_over_the_water_and_before_the_sprites() -> None:
     given = {"mist.enabled": True, "mist.sheets": 3}
     with Offscreen((60, 45), settings=FEW | given, samples=0, only=(*ONLY, "trees")) as view:

@@ -43,6 +43,7 @@ def depths(surface: Ground) -> np.ndarray:
     return np.asarray(BEST.water.level - surface.terrain_height(x, z))
 
 
+@pytest.mark.seldom(3)
 def test_the_net_lies_on_the_bed_of_shallow_water_and_nowhere_else(stage: Stage) -> None:
     plain, surface = ground(stage, False)
     lit, _ = ground(stage, True)
@@ -55,6 +56,7 @@ def test_the_net_lies_on_the_bed_of_shallow_water_and_nowhere_else(stage: Stage)
     assert lit[shallow].mean() == pytest.approx(plain[shallow].mean(), rel=0.15)
 
 
+@pytest.mark.seldom(3)
 def test_the_net_moves(stage: Stage) -> None:
     first, surface = ground(stage, True)
     later, _ = ground(stage, True, kt=60.0)
@@ -62,7 +64,7 @@ def test_the_net_moves(stage: Stage) -> None:
     assert moved.max() > 30 and moved[depths(surface) < -0.02].max() <= 1
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=9)
 def test_with_too_few_texture_units_the_bed_is_drawn_without_the_net(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

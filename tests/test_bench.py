@@ -59,7 +59,7 @@ def result() -> dict[str, Any]:
     return answer
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=4)
 def test_the_bench_returns_the_documented_values(result: dict[str, Any]) -> None:
     figures = result["result"]
     assert figures.keys() >= {"renderer", "size", "layer_ms", "views", "grass", "startup_ms"}
@@ -76,7 +76,7 @@ def test_the_bench_returns_the_documented_values(result: dict[str, Any]) -> None
     assert [way["name"] for way in figures["ways"]] == [way.name for way in WAYS]
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=4)
 def test_the_ratios_follow_from_the_times(result: dict[str, Any]) -> None:
     figures = result["result"]
     assert figures["layer_ms"] > 0
@@ -88,7 +88,7 @@ def test_the_ratios_follow_from_the_times(result: dict[str, Any]) -> None:
     assert figures["startup_ms"] > 100  # less than the interpreter with numpy: nothing was run
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=4)
 def test_more_blades_on_more_land_have_the_same_density(result: dict[str, Any]) -> None:
     few, many = result["result"]["grass"]
     assert few["count"] < many["count"]
@@ -96,13 +96,13 @@ def test_more_blades_on_more_land_have_the_same_density(result: dict[str, Any]) 
     assert many["visible"] > 0
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=4)
 def test_the_bench_reports_each_step(result: dict[str, Any]) -> None:
     assert len(result["heard"]) == bench.steps(bench.Options(**TINY))
     assert result["heard"][-1] == "start"
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=4)
 def test_the_report_shows_every_view_and_value(result: dict[str, Any]) -> None:
     text = bench.report(result["result"])
     for word in ("fig35b", "fig35i", "400,000", "immediate mode", "first frame"):
@@ -124,6 +124,7 @@ def test_the_default_views_and_counts_are_the_documented_ones() -> None:
     assert set(settings.values()) == {preset("best")}
 
 
+@pytest.mark.seldom(10, first=4)
 def test_the_command_writes_json_and_prints_the_tables(
     monkeypatch: pytest.MonkeyPatch,
     tmp_path: Path,
@@ -162,7 +163,7 @@ def test_an_unknown_view_is_bad_input_from_python() -> None:
 
 @pytest.mark.parametrize("preset", ["best", "2006"])
 @pytest.mark.parametrize("name", ["fig35a", "fig35f", "fig35i"])
-@pytest.mark.sweep(6)
+@pytest.mark.sweep(14, first=9)
 def test_the_replay_draws_the_same_picture_as_the_frame(
     stage: Stage, name: str, preset: str
 ) -> None:
@@ -313,7 +314,7 @@ GROWTH = 1 << 19  # chosen: bytes per 50 frames; what the grass of all views tak
 
 @pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
-@pytest.mark.seldom(10)
+@pytest.mark.seldom(14, first=12)
 def test_300_frames_of_changing_views_leak_neither_memory_nor_objects() -> None:
     settings = SMALL_BEST
     command = [sys.executable, "-c", LONG_RUN, str(TESTS), json.dumps(settings)]
@@ -327,7 +328,7 @@ def test_300_frames_of_changing_views_leak_neither_memory_nor_objects() -> None:
     assert np.median(np.diff(answer["sizes"])) < GROWTH
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=11)
 def test_names_of_gl_objects_are_all_released(stage: Stage) -> None:
     before = live_names()
     with stage.borrowed():
@@ -355,7 +356,7 @@ def test_frames_are_those_of_a_walk() -> None:
     assert [moment.walking for moment in drawn] == [True, True]
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=4)
 def test_brightness_and_contrast_are_timed_both_ways_in_the_hall_alone() -> None:
     options = bench.Options(("hall_contrast",), (64, 48), rounds=1, starts=0)
     names: list[str] = []

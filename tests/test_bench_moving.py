@@ -31,7 +31,7 @@ def result() -> dict[str, Any]:
     return answer
 
 
-@pytest.mark.seldom(5, first=1)
+@pytest.mark.seldom(12, first=1)
 def test_each_view_has_its_figures(result: dict[str, Any]) -> None:
     assert list(result["moving"]) == TINY["views"]
     for view in result["moving"].values():

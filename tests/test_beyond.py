@@ -40,7 +40,7 @@ def drawn_whole(view: str, only: tuple[str, ...] | None = None, **more) -> np.nd
         return offscreen.draw()
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=4)
 @pytest.mark.parametrize("view", ["fig2a", "fig35e"])
 def test_a_poster_is_the_picture_drawn_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, view: str
@@ -75,7 +75,7 @@ def test_what_is_clipped_by_pixels_is_clipped_in_tiles_too(tmp_path: Path) -> No
     assert (np.abs(tiled.astype(int) - whole).max(axis=2) > 2).mean() < 0.001
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14)
 @pytest.mark.slow
 def test_what_is_laid_over_the_blocks_is_drawn_in_tiles_and_refused_in_blocks(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

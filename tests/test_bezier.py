@@ -46,7 +46,7 @@ def test_equal_steps_of_the_parameter_are_no_constant_speed() -> None:
     assert by_t.max() / by_t.min() > 5
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=6)
 def test_every_place_lies_on_the_curves() -> None:
     path = BezierPath([BENDS])
     places = path.at(np.linspace(0, path.length, 300))

@@ -204,7 +204,7 @@ def test_a_deer_from_above_is_long_symmetric_and_has_no_legs() -> None:
     assert not back_from_above(np.zeros((40, 40, 4), np.uint8), 16)[..., 3].any()
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=1)
 @pytest.mark.parametrize("back", [False, True])
 def test_a_deer_from_above_is_a_back_and_not_a_line(
     stage: Stage, tmp_path: Path, back: bool
@@ -312,7 +312,7 @@ def test_a_bad_file_is_refused_with_its_line(tmp_path: Path, text: str, message:
 
 
 @pytest.mark.parametrize("preset", ["2006", "best"])
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(8, first=2)
 def test_an_island_with_saved_places_looks_as_before(tmp_path: Path, preset: str) -> None:
     # The island of other tests, so that the cache has what takes long.
     few = [f"--set={key}={value}" for key, value in SMALL_BEST.items()] + ["--preset", preset]
@@ -326,6 +326,7 @@ def test_an_island_with_saved_places_looks_as_before(tmp_path: Path, preset: str
     assert (one == other).all() and len(np.unique(one.reshape(-1, 4), axis=0)) > 50
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_missing_file_of_places_is_named() -> None:
     done = landscape("render", "fig17a", "--set", "transparent.places=nowhere.csv")
     refused(done, "setting transparent.places", "nowhere.csv: no such file")

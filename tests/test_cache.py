@@ -194,7 +194,7 @@ def test_a_damaged_file_is_replaced(folder: Path, damage: Callable[[bytes], byte
     assert path.read_bytes() == whole
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=10)
 def test_every_single_bit_of_a_file_that_flips_is_noticed(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -233,7 +233,7 @@ def crowd(folder: str, gate: "multiprocessing.synchronize.Barrier", number: int)
         assert (got == turn).all()
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=7)
 def test_processes_that_start_together_all_get_complete_arrays(folder: Path) -> None:
     spawn = multiprocessing.get_context("spawn")
     gate = spawn.Barrier(2)

@@ -427,7 +427,7 @@ def test_arguments_become_json() -> None:
     assert plain(object()) == "object"
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=10)
 def test_only_the_gl_rooms_import_opengl() -> None:
     found = set()
     for path in (*ROOT.glob("framelens/**/*.py"), *ROOT.glob("landscape/**/*.py")):
@@ -462,6 +462,7 @@ def as_it_is(call: Call) -> dict[str, Any]:
     return entry
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_recording_of_running_islands_sees_inside_the_lists_of_each(
     stage: Stage, plain_folder: Path
 ) -> None:

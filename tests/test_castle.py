@@ -264,7 +264,7 @@ def test_r2_from_the_side_a_flame_is_as_wide_as_from_the_front(
 # The castle as a part of the island
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=4)
 @pytest.mark.parametrize("changes", [{}, {"multitexture": True}, {"ornate": True}])
 @pytest.mark.parametrize("rippled", [False, True])
 def test_mirrored_or_not_no_texture_stays_bound(
@@ -307,7 +307,7 @@ def test_flames_turn_alike_whether_the_setting_is_built_in_or_applied_later(
     assert (picture == wanted).all() and (picture != drawn(stage, assets, side)).any()
 
 
-@pytest.mark.seldom(8, first=3)
+@pytest.mark.seldom(14, first=4)
 @pytest.mark.parametrize("changes", [{}, {"multitexture": True}, {"ornate": True}])
 def test_what_is_compiled_is_not_changed_by_settings(
     stage: Stage, plain: Assets, changes: dict[str, bool]
@@ -326,7 +326,7 @@ def test_what_is_compiled_is_not_changed_by_settings(
     castle.release()
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=4)
 @pytest.mark.parametrize("changes", [{}, {"multitexture": True}, {"ornate": True}])
 def test_the_obstacles_are_the_walls_and_towers(
     stage: Stage, plain: Assets, changes: dict[str, bool]

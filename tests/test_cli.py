@@ -74,7 +74,7 @@ def pictures(folder: Path) -> list[str]:
 # --- help --------------------------------------------------------------------------------------
 
 
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(8, first=7)
 @pytest.mark.parametrize("command", ALL, ids=" ".join)
 def test_every_command_has_help_with_an_example(command: tuple[str, ...], shell: Shell) -> None:
     done = shell(*command, "--help")
@@ -96,14 +96,14 @@ def imported(*words: str) -> set[str]:
     return set(done.stdout.splitlines()[-1].split())
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=8)
 def test_a_command_imports_neither_another_one_nor_what_that_needs() -> None:
     modules = imported("settings", "fog")
     assert "landscape.commands.settings" in modules
     assert not modules & {"landscape.commands.views", "landscape.commands.walk", "glfw"}
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7, first=1)
 def test_a_walk_without_a_path_imports_no_module_of_the_fly_over() -> None:
     words = "walk", "hall", "--only", "floor", "--size", "40x30", "--frames", "1"
     modules = imported(*words, "--backend", "osmesa", "--fresh")
@@ -343,7 +343,7 @@ def test_a_setting_that_means_something_else_in_another_scene_is_listed_for_each
     assert "time of island:" in times and "time of voxel:" in times
 
 
-@pytest.mark.seldom(10, first=3)
+@pytest.mark.seldom(14, first=13)
 @pytest.mark.parametrize("name", ["shadow", "reflection", "refraction", "water"])
 def test_trace_shows_each_pass_of_the_voxel_island(name: str, shell: Shell) -> None:
     few = ("--set=voxel.regions=4", "--size", "64x48")
@@ -379,7 +379,7 @@ def test_settings_come_from_the_preset_then_the_file_then_the_command_line(shell
     assert any(line.split()[:2] == ["fog.density", "0.25"] for line in text.splitlines())
 
 
-@pytest.mark.seldom(8, first=3)
+@pytest.mark.seldom(14, first=8)
 @pytest.mark.parametrize("view", ["fig35f", "fig6a"])
 def test_render_and_trace_take_the_preset_that_views_says(shell: Shell, view: str) -> None:
     entries = {entry["name"]: entry for entry in shell("views", "--json").json()}
@@ -434,6 +434,7 @@ def test_trace_json_lists_the_calls_in_order_with_named_constants_and_nested_lis
     assert array["dtype"] == "float32" and len(array["values"]) == 64
 
 
+@pytest.mark.seldom(3, first=1)
 def test_trace_can_be_limited_to_one_element_and_printed_as_text(shell: Shell) -> None:
     only = ("trace", "fig35a", "--preset=2006", "--only", "sky,fog", "--element", "fog")
     calls = shell(*only, "--json").json()
@@ -446,7 +447,7 @@ def test_trace_can_be_limited_to_one_element_and_printed_as_text(shell: Shell) -
 # --- process behaviour -------------------------------------------------------------------------
 
 
-@pytest.mark.seldom(8, first=1)
+@pytest.mark.seldom(14, first=2)
 def test_the_module_and_the_console_script_do_the_same() -> None:
     script = Path(sys.executable).with_name("landscape")
     if not script.exists():
@@ -463,7 +464,7 @@ def test_bad_input_gives_the_process_status_2_and_one_line() -> None:
     assert done.err == "landscape: view 'fig99z': no such view; `landscape views` lists them all\n"
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10)
 def test_a_closed_pipe_on_standard_output_is_not_an_error() -> None:
     read, write = os.pipe()
     os.close(read)
@@ -477,7 +478,7 @@ def test_a_closed_pipe_on_standard_output_is_not_an_error() -> None:
     assert (done.returncode, done.stderr) == (0, b"")
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10)
 @pytest.mark.posix_only("it has no device that is full")
 def test_a_full_disk_on_standard_output_gives_one_error_line() -> None:
     if not os.path.exists("/dev/full"):
@@ -490,7 +491,7 @@ def test_a_full_disk_on_standard_output_gives_one_error_line() -> None:
     assert done.stderr == b"landscape: standard output: No space left on device\n"
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=1)
 @pytest.mark.posix_only("a shell of POSIX closes streams")
 def test_closed_standard_streams_are_tolerated(tmp_path: Path) -> None:
     line = f"{sys.executable} -m landscape render fig35a fig35b {' '.join(SMALL)} >&- 2>&-"
@@ -499,6 +500,7 @@ def test_closed_standard_streams_are_tolerated(tmp_path: Path) -> None:
     assert pictures(tmp_path) == ["fig35a.png", "fig35b.png"]
 
 
+@pytest.mark.seldom(7)
 def test_a_name_that_the_terminal_cannot_encode_is_escaped(tmp_path: Path) -> None:
     env = environment(PYTHONIOENCODING="ascii")
     done = landscape("render", "fig35a", *SMALL, "--out", "é.png", env=env, cwd=tmp_path)
@@ -506,7 +508,7 @@ def test_a_name_that_the_terminal_cannot_encode_is_escaped(tmp_path: Path) -> No
     assert done.out == "\\xe9.png\n" and pictures(tmp_path) == ["é.png"]
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=8)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_while_rendering_many_views_leaves_only_complete_files(tmp_path: Path) -> None:
     words = ["render", *NINE, "--preset", "2006", "--size", "640x480", "--out", "many"]
@@ -543,7 +545,7 @@ def test_a_quiet_run_prints_nothing(quiet: str, shell: Shell) -> None:
     assert pictures(shell.cwd) == ["fig35a.png"]
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=1)
 @pytest.mark.posix_only("Python has no pseudo-terminals there")
 @pytest.mark.parametrize("quiet", [False, True])
 def test_progress_is_shown_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Path) -> None:
@@ -570,7 +572,7 @@ def test_progress_is_shown_on_a_terminal_unless_quiet(quiet: bool, tmp_path: Pat
     "only",
     ["ground,sky", "ground,water", "castle,rabbit,dragon", "trees,deer,plants", "grass,sword,map"],
 )
-@pytest.mark.sweep(5)
+@pytest.mark.sweep(14, first=9)
 def test_the_same_command_twice_gives_the_same_bytes(tmp_path: Path, only: str) -> None:
     counts = [f"--set={key}={value}" for key, value in SMALL_BEST.items()]
     # The second makes all anew that the first finds in the cache, or puts there.
@@ -601,6 +603,7 @@ def test_views_may_come_before_between_and_after_the_options(shell: Shell) -> No
     assert done.status == 0 and (shell.cwd / "fig35d.png").exists()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_view_is_the_same_alone_and_after_others(shell: Shell) -> None:
     shell("render", "fig35a", "fig35b", "fig35a", *SMALL, *shell.small, "--out", "many")
     shell("render", "fig35a", *SMALL, *shell.small, "--out", "alone.png")
@@ -615,7 +618,7 @@ def rendered(shell: Shell, *arguments: str) -> bytes:
     return (shell.cwd / "x.png").read_bytes()
 
 
-@pytest.mark.seldom(10, first=1)
+@pytest.mark.seldom(14, first=8)
 @pytest.mark.parametrize(
     "change",
     [
@@ -635,6 +638,7 @@ def test_each_option_of_render_changes_the_image(change: list[str], shell: Shell
     assert rendered(shell, "fig35a", *SMALL, *change) != rendered(shell, "fig35a", *SMALL)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_seed_changes_the_trees_but_not_the_ground(shell: Shell) -> None:
     def picture(only: str, seed: str) -> bytes:
         return rendered(shell, "fig35a", *SMALL, "--only", only, "--seed", seed)
@@ -643,7 +647,7 @@ def test_the_seed_changes_the_trees_but_not_the_ground(shell: Shell) -> None:
     assert picture("ground", "1") == picture("ground", "2")
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=4)
 def test_a_pose_may_start_with_a_minus_sign_and_kt_may_be_negative(shell: Shell) -> None:
     west = rendered(shell, *SMALL, "--pose", "-3,2,20,90,-5", "--kt", "-4")
     assert west == rendered(shell, *SMALL, "--pose=-3,2,20,90,-5", "--kt=-4")
@@ -727,7 +731,7 @@ print("good")
 """
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=8)
 def test_the_python_interface_works_as_documented() -> None:
     done = python(EXAMPLE)
     assert (done.status, done.out, done.err) == (0, "good\n", "")
@@ -738,6 +742,7 @@ def test_importing_landscape_imports_no_opengl() -> None:
     assert done.out == "[]\n", done.err
 
 
+@pytest.mark.seldom(3, first=1)
 def test_json_output_contains_no_nan(shell: Shell) -> None:
     for command in (["views"], ["settings"], ["trace", "fig6a", "--only", "ground,fog"]):
         json.loads(shell(*command, "--json").out, parse_constant=lambda name: 1 / 0)

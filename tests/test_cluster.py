@@ -64,6 +64,7 @@ def after_the_first_part(folder: Path, act: Callable[[], object]) -> Iterator[No
     thread.join()
 
 
+@pytest.mark.seldom(4, first=1)
 @pytest.mark.posix_only("no signal ends a process there")
 def test_a_film_of_a_cluster_is_the_same_file_whatever_is_killed(
     tmp_path: Path, whole: bytes

@@ -82,6 +82,7 @@ def shell(the_shell: Shell, tmp_path: Any) -> Shell:
     return the_shell
 
 
+@pytest.mark.seldom(7, first=4)
 def test_render_says_in_one_line_what_changes_nothing(shell: Shell) -> None:
     stencil = ("--set", "reflection.stencil=true", "--set", "reflection.rippled=true")
     words = ("render", "fig11a", *SMALL, *shell.small, *stencil)
@@ -115,7 +116,7 @@ def test_a_walk_tells_it_but_takes_the_settings_of_the_walker(shell: Shell) -> N
     assert done.err == "landscape: setting grass.count: ignored while grass is not shown\n"
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=6)
 @pytest.mark.parametrize(
     "words",
     [
@@ -173,7 +174,7 @@ def reached(start: str) -> set[Path]:
     return files
 
 
-@pytest.mark.seldom(10, first=7)
+@pytest.mark.seldom(14)
 @each("name", SCENES)
 def test_a_scene_offers_no_setting_that_nothing_in_it_reads(name: str) -> None:
     kind = scene(name)

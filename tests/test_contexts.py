@@ -71,6 +71,7 @@ print(bool(libraries.load("Elsewhere").glClear))
     assert told(code, environment(LD_LIBRARY_PATH=":".join(filter(None, folders)))) == "True"
 
 
+@pytest.mark.seldom(3)
 @linux
 @pytest.mark.parametrize(("backend", "library"), [("osmesa", "OSMesa"), ("egl", "EGL")])
 def test_a_context_is_opened_where_only_the_loader_knows_libraries(
@@ -114,6 +115,7 @@ tell(open_context())
     assert told(code).split()[0] == "egl"
 
 
+@pytest.mark.seldom(3)
 @linux
 @pytest.mark.window
 def test_auto_goes_on_from_an_egl_without_a_driver() -> None:
@@ -128,6 +130,7 @@ tell(open_context())
         assert told(code, environment(DISPLAY=display)).split()[0] == "glfw"
 
 
+@pytest.mark.seldom(3)
 @linux
 def test_a_driver_that_mesa_does_not_have_is_told_in_one_line() -> None:
     need_library("OSMesa")
@@ -204,6 +207,7 @@ else:
     assert done.out.startswith("egl")
 
 
+@pytest.mark.seldom(3)
 @linux
 def test_a_renderer_that_is_no_software_is_refused_where_software_is_asked_for() -> None:
     need_library("EGL")
@@ -220,7 +224,7 @@ except NoOpenGLError as error:
     assert said.startswith("this OpenGL is ") and "for software, install" in said
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=1)
 def test_every_command_takes_software_for_a_backend(tmp_path: Path) -> None:
     for words in (["render", "fig35a", "--size", "32x24", "--only", "sky"], ["lesson", "triangle"]):
         out = tmp_path / f"{words[0]}.png"
@@ -237,6 +241,7 @@ def test_cgl_is_refused_where_there_is_none_with_what_to_use_instead() -> None:
     assert "only macOS has it" in done.err and "--backend auto" in done.err
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.window
 def test_a_window_opens_on_the_screen_after_none_could_be_opened_without_one() -> None:
     code = """
@@ -258,6 +263,7 @@ except NoOpenGLError:
 # --- CGL, with a framework that EGL stands in for -----------------------------------------------
 
 
+@pytest.mark.seldom(3)
 @linux
 @pytest.mark.parametrize("refused", [(), ("any",)])
 def test_cgl_asks_for_the_legacy_profile_and_last_for_the_software_renderer(
@@ -341,6 +347,7 @@ except NoOpenGLError as error:
     assert "there are two OpenGL libraries" in told(code)
 
 
+@pytest.mark.seldom(3)
 @linux
 @pytest.mark.window
 def test_a_program_in_another_opengl_than_that_of_its_window_is_told_so(tmp_path: Path) -> None:
@@ -378,7 +385,7 @@ sys.exit(main(sys.argv[1:]))
     assert "freeglut64.vc14.dll" in advice.install("glut", on="windows")
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=11)
 @linux
 @pytest.mark.window
 def test_the_walk_needs_no_screen_where_egl_draws(tmp_path: Path) -> None:

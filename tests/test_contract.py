@@ -284,7 +284,7 @@ def drawn_with_state_watched(
     return left
 
 
-@pytest.mark.seldom(10, first=8)
+@pytest.mark.sweep(14)
 def test_a_frame_and_each_slot_leave_the_state_as_found(
     stage: Stage, opened: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -297,14 +297,14 @@ def test_a_frame_and_each_slot_leave_the_state_as_found(
             assert not left, f"{left} in {lines}"
 
 
-@pytest.mark.seldom(10, first=6)
+@pytest.mark.sweep(14, first=6)
 def test_with_other_settings_a_frame_leaves_the_state_as_found(
     stage: Stage, opened: Opened, todays: Todays, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     case = opened.case
     others = [name for name in case.variants if name not in case.daily]
     try:
-        for name in (*case.daily, *(todays(others, 9) if case.daily else others)):
+        for name in (*case.daily, *(todays(others, 9, 14) if case.daily else others)):
             assert opened.scene.apply(case.values(case.variants[name])), name
             with stage.borrowed():
                 for moment in opened.frames():
@@ -314,7 +314,7 @@ def test_with_other_settings_a_frame_leaves_the_state_as_found(
         assert opened.scene.apply(opened.base)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=10)
 def test_a_leak_in_one_slot_is_told(
     stage: Stage, opened: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -332,7 +332,7 @@ def test_a_leak_in_one_slot_is_told(
     assert "GL_DEPTH_FUNC" in left["sky"]
 
 
-@pytest.mark.seldom(10)
+@pytest.mark.sweep(14, first=10)
 def test_a_frame_after_the_first_makes_and_deletes_no_objects_and_each_slot_draws(
     stage: Stage, opened: Opened
 ) -> None:
@@ -372,12 +372,12 @@ def of_views(kind: Scene) -> Iterator[tuple[View, Mapping[str, Any]]]:
             yield replace(fix.as_view(), pose=fix.pose(after)), fix.on if after else fix.off
 
 
-@pytest.mark.seldom(10, first=6)
+@pytest.mark.sweep(14, first=1)
 @pytest.mark.slow
 def test_what_is_taken_is_drawn_as_if_built_so_and_the_rest_is_refused(
     stage: Stage, opened: Opened, todays: Todays
 ) -> None:
-    for groups in todays(opened.case.together, 10):
+    for groups in todays(opened.case.together, 10, 14):
         check_taken(stage, opened, groups)
 
 
@@ -413,7 +413,7 @@ def check_taken(stage: Stage, opened: Opened, groups: tuple[str, ...]) -> None:
         assert off == 0, f"{', '.join(taken)}: picture {number} is off by {off} levels"
 
 
-@pytest.mark.seldom(10, first=4)
+@pytest.mark.seldom(14, first=6)
 def test_what_is_refused_or_cannot_be_built_changes_nothing(stage: Stage, opened: Opened) -> None:
     before = opened.pictures()
     for changed in opened.case.refused:
@@ -486,7 +486,7 @@ def test_every_group_of_settings_is_changed_or_baked(case: Case) -> None:
     assert BAKED[case.place] <= set(case.scene.baked)
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=11)
 @pytest.mark.parametrize(
     ("place", "applied", "baked"),
     [

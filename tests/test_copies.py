@@ -105,7 +105,7 @@ def honest(name: str) -> list[str]:
     return [programs[number % len(programs)] for number in range(COUNT)]
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=9)
 @each("name", ["look_at", "missing_enable", "bresenham"])
 def test_an_honest_class_has_no_pair(name: str) -> None:
     students = [str(number) for number in range(COUNT)]
@@ -123,7 +123,7 @@ def planted() -> list[str]:
     return programs
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=2)
 def test_three_planted_copies_are_found_first_and_nothing_else(planted: list[str]) -> None:
     students = [str(number) for number in range(COUNT)]
     found = pairs(planted, known(exercise(NAME)), students)

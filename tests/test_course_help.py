@@ -24,6 +24,7 @@ def shell() -> Iterator[Shell]:
     process.close()
 
 
+@pytest.mark.seldom(5, first=2)
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_help_is_french_where_the_user_asks_for_it(command: str, shell: Shell) -> None:
     words = command.split()
@@ -74,7 +75,7 @@ def test_other_commands_have_english_help_and_refuse_in_the_users_language() -> 
     refused(landscape("sound", env=french), "il manque les arguments suivants: ", "--out")
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=3)
 def test_what_the_user_wrote_is_never_translated(tmp_path: Path) -> None:
     words = "expected one, cannot be read {name}"
     for command in (("render", words), ("lecture", tmp_path / words), ("walk", f"--{words}")):

@@ -31,7 +31,7 @@ def both() -> Iterator[tuple[Offscreen, Offscreen]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("view", ["fig35a", "fig35c", "fig35f", "fig35g", "fig35i"])
-@pytest.mark.sweep(12)
+@pytest.mark.sweep(12, first=3)
 def test_the_picture_is_the_same_as_with_everything_drawn(both, view: str) -> None:
     pictures = []
     for offscreen in both:
@@ -45,7 +45,7 @@ def test_the_picture_is_the_same_as_with_everything_drawn(both, view: str) -> No
 
 
 @pytest.mark.slow
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(7, first=4)
 def test_a_coarser_mirror_image_changes_only_the_water_and_only_a_little(both) -> None:
     fine, _ = both
     with Offscreen(SIZE, "best", {**FEW, "reflection.lod_scale": 8.0}, samples=0) as coarse:

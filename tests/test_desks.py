@@ -47,7 +47,7 @@ def test_every_command_of_the_smoke_test_is_one_of_the_program(
     assert {scene.name for scene, _ in found} == {"island", "hall", "voxel"}
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=4)
 def test_a_step_that_fails_is_told_and_the_others_are_run(
     smoke: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
 ) -> None:

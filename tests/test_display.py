@@ -94,7 +94,7 @@ def test_a_missing_library_is_named_by_its_package(
         assert f"needs {wanted}" in problem("wayland", compositor)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=5)
 def test_the_walk_opens_a_window_on_x_in_a_session_said_to_be_wayland(
     x_server: str, tmp_path: Path
 ) -> None:

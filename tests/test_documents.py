@@ -146,7 +146,7 @@ CHECKS = {
 }
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=8)
 @every_row
 def test_a_command_parses_and_names_only_what_exists(row: Row) -> None:
     if not row.words:
@@ -172,7 +172,7 @@ def test_a_wrong_name_in_a_command_is_found() -> None:
             check_names(parse(words), words[0])
 
 
-@pytest.mark.sweep(50)
+@pytest.mark.sweep(70)
 @pytest.mark.parametrize("command", distinct_commands())
 def test_a_command_runs(command: str, the_shell: Shell, tmp_path: Path) -> None:
     words = shlex.split(command)

@@ -76,7 +76,7 @@ def test_a_shut_door_is_not_entered_but_faced_and_one_comes_out_of_it_clear_of_i
 
 
 @pytest.mark.parametrize("yaw", [-160.0, 0.0, 35.0])
-@pytest.mark.sweep(6)
+@pytest.mark.sweep(12, first=8)
 def test_the_castles_door_is_where_its_gate_is_drawn(
     stage: Stage, yaw: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -110,7 +110,7 @@ def test_in_2006_the_castles_door_is_shut_and_without_a_castle_there_is_none(sta
         island.release()
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7, first=4)
 def test_behind_the_open_door_the_glow_fades_upwards_between_two_leaves(
     stage: Stage, plain_folder
 ) -> None:
@@ -177,7 +177,7 @@ def test_nothing_of_the_window_names_a_scene() -> None:
 # The hall, walked in without OpenGL.
 
 
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(5, first=4)
 @pytest.mark.parametrize("seed", range(4))
 def test_no_random_walk_in_the_hall_crosses_wall_pillar_plinth_or_pool(seed: int) -> None:
     rng, around = np.random.default_rng(seed), obstacles()
@@ -295,7 +295,7 @@ def through(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.seldom(5, first=1)
+@pytest.mark.seldom(12, first=3)
 def test_one_walks_through_the_door_into_the_hall_and_back(through) -> None:
     scenes = [frame[1] for frame in through["seen"]]
     changes = [k for k in range(1, len(scenes)) if scenes[k] != scenes[k - 1]]
@@ -323,7 +323,7 @@ def test_one_walks_through_the_door_into_the_hall_and_back(through) -> None:
         assert text in through["said"]
 
 
-@pytest.mark.seldom(5, first=1)
+@pytest.mark.seldom(12, first=3)
 def test_settings_of_both_scenes_go_along_and_the_clock_goes_on(through) -> None:
     speeds = {(frame[1], frame[5]) for frame in through["seen"]}
     assert speeds == {("island", 0.6), ("hall", 0.6)}
@@ -333,7 +333,7 @@ def test_settings_of_both_scenes_go_along_and_the_clock_goes_on(through) -> None
     assert np.diff(kt) == pytest.approx(np.full(len(kt) - 1, kt[1] - kt[0]))
 
 
-@pytest.mark.seldom(5, first=1)
+@pytest.mark.seldom(12, first=3)
 def test_a_replay_goes_through_the_door_pixel_for_pixel(through) -> None:
     assert through["same"] == [True, True]
     assert through["again"] == through["seen"]

@@ -45,13 +45,19 @@ def pictures(driver: Driver, place: str) -> Pictures:
     return drawn
 
 
+class Whole(dict[str, Pictures]):
+    """What a driver draws that has everything, by the place; each is drawn when it is needed."""
+
+    def __missing__(self, place: str) -> Pictures:
+        driver = Driver()
+        self[place] = pictures(driver, place)
+        assert driver.refused == []
+        return self[place]
+
+
 @pytest.fixture(scope="module")
-def whole() -> dict[str, Pictures]:
-    """What a driver draws that has everything."""
-    driver = Driver()
-    drawn = {place: pictures(driver, place) for place in PLACES}
-    assert driver.refused == []
-    return drawn
+def whole() -> Whole:
+    return Whole()
 
 
 def differing(one: Pictures, other: Pictures, levels: int = 40) -> float:
@@ -68,9 +74,9 @@ def is_sound(one: Pictures, other: Pictures) -> bool:
 
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("units", [4, 3, 2, 1])
-@pytest.mark.sweep(8)
+@pytest.mark.sweep(14, first=1)
 def test_with_few_texture_units_no_more_are_used_and_the_place_is_the_same(
-    place: str, units: int, whole: dict[str, Pictures], capsys: pytest.CaptureFixture[str]
+    place: str, units: int, whole: Whole, capsys: pytest.CaptureFixture[str]
 ) -> None:
     driver = Driver(units=units)
     drawn = pictures(driver, place)
@@ -83,9 +89,9 @@ def test_with_few_texture_units_no_more_are_used_and_the_place_is_the_same(
         assert line.startswith("landscape: ") and line.endswith(f" texture units of {units}")
 
 
-@pytest.mark.seldom(10, first=2)
+@pytest.mark.seldom(14, first=9)
 def test_the_sea_is_drawn_in_four_texture_units_with_the_pixels_of_eight(
-    whole: dict[str, Pictures],
+    whole: Whole,
 ) -> None:
     settings = {**SMALL_BEST, "water.caustics": False}
     drawn = []
@@ -104,7 +110,7 @@ def test_the_sea_is_drawn_in_four_texture_units_with_the_pixels_of_eight(
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("name", sorted(KNOWN))
 def test_without_an_extension_nothing_of_it_is_used_and_a_line_says_what_is_off(
-    place: str, name: str, whole: dict[str, Pictures], capsys: pytest.CaptureFixture[str]
+    place: str, name: str, whole: Whole, capsys: pytest.CaptureFixture[str]
 ) -> None:
     driver = Driver(OLD, frozenset({name}))
     drawn = pictures(driver, place)
@@ -116,16 +122,16 @@ def test_without_an_extension_nothing_of_it_is_used_and_a_line_says_what_is_off(
         assert line.endswith((*texts, " texture units of 1"))
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=9)
 @pytest.mark.parametrize("place", PLACES)
-def test_with_opengl_1_1_alone_everything_opens(place: str, whole: dict[str, Pictures]) -> None:
+def test_with_opengl_1_1_alone_everything_opens(place: str, whole: Whole) -> None:
     driver = Driver(OLD, KNOWN, units=1, widest=1.0)
     drawn = pictures(driver, place)
     assert driver.refused == [] and is_sound(drawn, whole[place])
 
 
-@pytest.mark.seldom(6, first=4)
-def test_where_lines_are_thin_none_wider_is_asked_for(whole: dict[str, Pictures]) -> None:
+@pytest.mark.seldom(13)
+def test_where_lines_are_thin_none_wider_is_asked_for(whole: Whole) -> None:
     driver = Driver(widest=1.0)
     drawn = pictures(driver, "hall")
     assert driver.refused == [] and differing(drawn, whole["hall"]) < 0.05
@@ -141,7 +147,7 @@ def unasked(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     yield
 
 
-@pytest.mark.seldom(8)
+@pytest.mark.seldom(14, first=3)
 @pytest.mark.usefixtures("unasked")
 @pytest.mark.parametrize(
     "driver",
@@ -177,7 +183,7 @@ def test_a_driver_refuses_what_it_lacks_and_nothing_else(stage: Any) -> None:
     assert Driver((1, 5), frozenset({"GL_ARB_texture_non_power_of_two"})).objection(*sides)
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13)
 def test_the_gate_is_open_with_few_texture_units_too() -> None:
     drawn = {}
     for units in (8, 3):

@@ -228,7 +228,7 @@ def change_source(patch: pytest.MonkeyPatch, name: str, old: str, new: str) -> N
 
 
 @pytest.mark.parametrize("name", CASES)
-@pytest.mark.sweep(6)
+@pytest.mark.sweep(8)
 def test_an_edit_gives_the_bytes_of_the_program_with_that_constant_changed(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -301,7 +301,7 @@ def test_an_edit_whose_line_is_gone_from_the_file_is_found_by_its_function(
     assert edits.missed() == []
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=5)
 def test_edits_that_find_no_call_are_told_by_the_commands(density: Located, tmp_path: Path) -> None:
     path = tmp_path / "edits.json"
     write([density.edit(1, 0.4)], path)
@@ -312,6 +312,7 @@ def test_edits_that_find_no_call_are_told_by_the_commands(density: Located, tmp_
     assert done.status == 0 and done.err == "" and "glFogf(GL_FOG_DENSITY, 0.4)" in done.out
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_file_is_read_before_a_platform_is_chosen(tmp_path: Path) -> None:
     path, out = tmp_path / "edits.json", tmp_path / "a.png"
     text = '{"version": 1, "edits": [{"call": {CALL}, "argument": 1, "value": "GL_EXP"}]}'
@@ -368,7 +369,7 @@ MISFITS = {
 }
 
 
-@pytest.mark.sweep(3, first=2)
+@pytest.mark.sweep(3)
 @pytest.mark.parametrize("name", MISFITS)
 def test_a_value_that_does_not_fit_its_argument_is_refused_in_one_line(
     tmp_path: Path, name: str

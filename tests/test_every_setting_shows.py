@@ -341,7 +341,7 @@ def test_each_setting_has_a_view_that_shows_it() -> None:
 
 
 @pytest.mark.parametrize("key", [k for k in KEYS if k not in (*WALKING, *ONLY_CALLS)])
-@pytest.mark.sweep(18)
+@pytest.mark.sweep(14, first=1)
 def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
     stage: Stage, islands: dict[Any, Island], key: str
 ) -> None:
@@ -351,7 +351,7 @@ def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
 
 
 @pytest.mark.parametrize("key", IN_BEST)
-@pytest.mark.sweep(8)
+@pytest.mark.sweep(14, first=1)
 def test_a_setting_of_best_shows_beside_the_others_of_best(
     stage: Stage, islands: dict[Any, Island], key: str
 ) -> None:
@@ -383,7 +383,7 @@ def vain(preset: str) -> list[tuple[str, str]]:
 
 
 @pytest.mark.parametrize(("key", "preset"), [*vain("2006"), *vain("best")])
-@pytest.mark.sweep(24)
+@pytest.mark.sweep(14, first=13)
 def test_what_is_said_to_change_nothing_changes_nothing(
     stage: Stage, islands: dict[Any, Island], key: str, preset: str
 ) -> None:

@@ -90,7 +90,7 @@ def test_calls_are_found_by_name_and_arguments_in_the_setup_and_in_frames(work: 
     assert len(work.find("glEnd")) == 3 * frames and work.find("glVertex2f", 7) == []
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=11)
 def test_the_texture_matrix_of_a_draw_is_the_one_that_it_is_drawn_with(
     tmp_path_factory: pytest.TempPathFactory,
 ) -> None:
@@ -129,7 +129,7 @@ while not glfw.window_should_close(window):
 """
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=8)
 def test_the_vertices_of_pyopengls_conveniences_are_known(
     tmp_path_factory: pytest.TempPathFactory,
 ) -> None:

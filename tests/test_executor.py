@@ -83,6 +83,7 @@ def test_what_has_not_begun_is_cancelled_when_a_result_raises() -> None:
     assert len(backwards.order) == 4
 
 
+@pytest.mark.seldom(5, first=2)
 def test_each_process_works_on_one_core(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ONE_CORE:
         monkeypatch.delenv(name, raising=False)
@@ -109,7 +110,7 @@ def test_an_exception_ends_the_processes_at_once() -> None:
     _wait_for_the_end_of_all_but(before)
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=1)
 def test_a_process_that_sends_a_large_result_ends_as_well() -> None:
     for _ in range(3):
         with pytest.raises(KeyboardInterrupt), executor(2) as workers:

@@ -55,7 +55,7 @@ def test_all_solutions_pass_and_the_start_does_not(
     first, *others = sorted(exercise(name).folder.glob("solution*.py"))
     assert first.name == "solution.py" and len(others) >= 3
     if not pytestconfig.getoption("--all"):
-        others = todays(others, 2)
+        others = todays(others, 2, 14)
     for file in (first, *others):
         report = grader.check(file)
         assert report.passed, as_text(report, lambda text, context="": text)
@@ -66,7 +66,7 @@ def test_all_solutions_pass_and_the_start_does_not(
     assert report.error is None and len(failures(report)) == 1
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=7)
 def test_each_mistake_still_fits_its_solution() -> None:
     for name in NAMES:
         code = solved(name)
@@ -75,7 +75,7 @@ def test_each_mistake_still_fits_its_solution() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(18, first=4)
+@pytest.mark.sweep(14, first=5)
 def test_each_mistake_fails_the_test_it_should_with_a_hint_of_its_own(
     name: str, grader: Grader, pytestconfig: pytest.Config
 ) -> None:
@@ -111,7 +111,7 @@ ONLY_FIRST = """        if glfw.get_time() > 0:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(18)
+@pytest.mark.sweep(14, first=12)
 def test_no_test_passes_for_a_program_that_draws_nothing_or_only_its_first_frame(
     name: str, grader: Grader, tmp_path: Path
 ) -> None:
@@ -158,7 +158,7 @@ REGIONS = {
 
 
 @pytest.mark.parametrize("region", REGIONS)
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(14)
 def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
     region: str, grader: Grader, tmp_path: Path
 ) -> None:
@@ -170,7 +170,7 @@ def test_the_hint_of_a_wrong_picture_names_the_part_of_it(
     assert f": {region}. " in hints(report)[0].written(str)
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=8)
 @each("name", NAMES)
 def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> None:
     found = exercise(name)
@@ -204,7 +204,7 @@ def test_a_hint_names_the_students_own_line(grader: Grader, tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(8)
+@pytest.mark.sweep(14, first=12)
 def test_the_task_and_the_hints_are_in_french_as_well(name: str, grader: Grader) -> None:
     french = exercise(name).translate.to("fr")
     written = start(exercise(name), "fr")

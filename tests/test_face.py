@@ -197,7 +197,7 @@ def test_settings_may_be_nested_and_values_numpys(
     the_stage.enter()
 
 
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(5)
 @pytest.mark.parametrize(
     "given",
     [
@@ -442,7 +442,7 @@ except landscape.InputError:
 
 
 @pytest.mark.parametrize("backend", ["osmesa", "egl"])
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=3)
 def test_an_offscreen_can_be_dropped_at_any_moment(backend: str) -> None:
     steps = [f"{code}\nassert good(), {name!r}" for name, code in DROPS.items()]
     done = python("\n".join([START, *steps, "print('good')"]), backend)
@@ -451,7 +451,7 @@ def test_an_offscreen_can_be_dropped_at_any_moment(backend: str) -> None:
     assert (done.status, done.out, done.err) == (0, "good\n", "")
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=5)
 def test_what_is_open_at_the_end_of_a_program_ends_with_it_silently() -> None:
     code = "one = opened(); two = opened('fig35c'); two.me = two; sys.modules['late'] = opened()"
     done = python(START + code, "auto")
@@ -475,7 +475,7 @@ print(peak() - before)
 
 
 @pytest.mark.posix_only("Python does not tell there how much memory a process takes")
-@pytest.mark.seldom(8, first=7)
+@pytest.mark.seldom(14, first=5)
 def test_twenty_dropped_offscreens_take_no_more_memory_than_a_few(tmp_path: Path) -> None:
     small_textures(tmp_path)
     done = python(MEMORY, str(tmp_path))
@@ -483,7 +483,7 @@ def test_twenty_dropped_offscreens_take_no_more_memory_than_a_few(tmp_path: Path
     assert float(done.out) < 40.0, "MB; the targets of the last sixteen have about 12 MB each"
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=5)
 def test_threads_with_an_offscreen_each_draw_what_one_alone_draws() -> None:
     code = (
         START

@@ -100,7 +100,7 @@ def strolled(**changes) -> tuple[Plan, list[Tick]]:
 
 
 @pytest.mark.parametrize("jobs", [2, 3])
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(12, first=11)
 def test_several_processes_draw_the_pixels_of_one_in_their_order(
     boards: None, tmp_path: Path, jobs: int
 ) -> None:
@@ -117,7 +117,7 @@ def test_several_processes_draw_the_pixels_of_one_in_their_order(
     assert all(np.array_equal(a, b) for a, b in zip(alone, shared, strict=True))
 
 
-@pytest.mark.seldom(10, first=2)
+@pytest.mark.seldom(14, first=12)
 @pytest.mark.parametrize("name", ["film.mp4", "film.webm", "film.gif"])
 def test_any_executor_makes_the_same_file(boards: None, tmp_path: Path, name: str) -> None:
     path = tmp_path / name
@@ -132,7 +132,7 @@ def test_any_executor_makes_the_same_file(boards: None, tmp_path: Path, name: st
     assert times == pytest.approx([k / 3 for k in range(film.frames)], abs=0.006)
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=12)
 @pytest.mark.slow
 def test_the_island_depends_on_the_time_alone() -> None:
     kind, view = find_view("fig35f")
@@ -318,7 +318,7 @@ def test_a_film_is_written_by_the_command(shell: Shell, tmp_path: Path) -> None:
 # ---- ends before the end
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=11)
 def test_a_process_that_dies_ends_in_one_line_and_leaves_nothing(
     boards: None, tmp_path: Path
 ) -> None:
@@ -328,7 +328,7 @@ def test_a_process_that_dies_ends_in_one_line_and_leaves_nothing(
     assert os.listdir(tmp_path) == [] and not multiprocessing.active_children()
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=2)
 def test_a_defect_in_a_process_is_told_with_its_place_and_traceback(
     boards: None, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -349,7 +349,7 @@ def test_an_error_in_a_process_is_told_in_its_own_words(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == [] and not multiprocessing.active_children()
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=12)
 def test_whoever_stops_looking_leaves_no_process_behind(boards: None) -> None:
     film = Film((Part(board()),), drawing(), Fraction(10))
     with pytest.raises(KeyError), executor(2) as workers, closing(drawn(film, workers, 2)) as shown:
@@ -359,7 +359,7 @@ def test_whoever_stops_looking_leaves_no_process_behind(boards: None) -> None:
     assert not multiprocessing.active_children()
 
 
-@pytest.mark.seldom(10, first=8)
+@pytest.mark.seldom(14, first=9)
 @pytest.mark.parametrize("name", ["film.mp4", "film.webm", "film.gif"])
 def test_an_interrupted_film_is_shorter_and_can_be_played(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
@@ -393,7 +393,7 @@ def test_an_interrupted_film_leaves_the_former_file(
     assert (tmp_path / "film.mp4").read_bytes() == b"former"
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=13)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 @pytest.mark.slow
 def test_ctrl_c_ends_all_processes_and_says_how_much_there_is(tmp_path: Path) -> None:

@@ -114,7 +114,7 @@ def decoded(path: Path) -> tuple[int, np.ndarray]:
     return pictures, np.concatenate(sound, axis=1).T
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=7)
 @pytest.mark.parametrize("ending", [".mp4", ".webm"])
 def test_a_film_has_its_sound_byte_for_byte(tmp_path: Path, ending: str) -> None:
     film = film_of(Part(Blown(4.6)))
@@ -134,7 +134,7 @@ def test_a_film_has_its_sound_byte_for_byte(tmp_path: Path, ending: str) -> None
     assert likeness > 0.9
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=9)
 def test_the_parts_of_a_folder_are_joined_with_their_sound(tmp_path: Path) -> None:
     film = film_of(Part(Blown(4.6)))
     whole, joined = tmp_path / "whole.mp4", tmp_path / "joined.mp4"
@@ -147,7 +147,7 @@ def test_the_parts_of_a_folder_are_joined_with_their_sound(tmp_path: Path) -> No
         join(parting.parts, joined)
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7, first=1)
 def test_a_recorded_walk_is_heard_with_its_steps() -> None:
     kind = scene("hall")
     settings = kind.values(None, {"sound.muted": True})

@@ -28,7 +28,7 @@ def hills() -> HeightField:
     return height_field(image, Flyover(relief=24.0))
 
 
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(12, first=6)
 @pytest.mark.parametrize("changes", (HIDDEN, HIDDEN | {"flyover.hidden_lines": False}, FILLED))
 @pytest.mark.parametrize("name", ANGLES)
 def test_columns_drawn_alone_are_those_of_the_whole_picture(

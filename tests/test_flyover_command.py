@@ -37,7 +37,7 @@ sys.exit(main(sys.argv[1:]))
 """
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13)
 def test_it_draws_where_neither_opengl_nor_glfw_can_be_imported(tmp_path: Path) -> None:
     words = ["flyover", *SMALL, "--frames", "2", "--out", str(tmp_path)]
     done = subprocess.run(
@@ -97,7 +97,7 @@ def test_a_film_begins_at_its_second(
     assert films[0].frames == frames
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=9)
 def test_settings_come_from_the_preset_a_file_and_the_command_line(tmp_path: Path) -> None:
     table = tmp_path / "a.toml"
     table.write_text(
@@ -132,7 +132,7 @@ def test_every_technique_is_measured_alone_left_out_and_together() -> None:
         assert switch not in on[f"all but {name}"]
 
 
-@pytest.mark.seldom(8, first=7)
+@pytest.mark.seldom(14, first=10)
 def test_the_bench_prints_and_writes_how_many_lines_each_technique_leaves(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

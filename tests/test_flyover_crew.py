@@ -36,7 +36,7 @@ def three() -> Iterator[Crew]:
         yield crew
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(7, first=2)
 def test_three_processes_draw_the_picture_of_one(three: Crew) -> None:
     for changes in ({}, FILLED, {"flyover.colours": "height"}):
         settings = with_settings(Settings(), RELIEF | changes)
@@ -99,7 +99,7 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.seldom(10, first=6)
+@pytest.mark.seldom(14, first=3)
 @pytest.mark.parametrize(
     "interrupted",
     [

@@ -95,7 +95,7 @@ def test_the_island_is_exported_as_a_file_that_reads_back_equal(tmp_path: Path) 
     assert any("camera" in (element.text or "") for element in tree.iter())
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=8)
 def test_an_export_that_is_impossible_leaves_nothing(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x")
     (tmp_path / "folder.svg").mkdir()
@@ -105,7 +105,7 @@ def test_an_export_that_is_impossible_leaves_nothing(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder.svg"]
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=1)
 def test_the_island_is_not_written_over_a_drawing(tmp_path: Path) -> None:
     path = tmp_path / "mine.svg"
     path.write_text("<svg/>")

@@ -66,7 +66,7 @@ def test_without_the_fine_heights_the_bmp_is_read(tmp_path: Path) -> None:
     assert np.abs(exchange.read(tmp_path).image - environment.image).max() <= 0.5
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=12)
 @pytest.mark.parametrize(
     ("name", "content", "said"),
     [
@@ -133,7 +133,7 @@ def test_numbers_that_are_texts_are_ranked_as_numbers(tmp_path: Path) -> None:
     assert "20.0     50.0" in ranking([read(path)])
 
 
-@pytest.mark.seldom(8, first=2)
+@pytest.mark.seldom(14, first=7)
 def test_a_benchmark_s_result_can_be_ranked(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -156,7 +156,7 @@ def test_what_is_no_result_is_not_ranked(content: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("mode", ["lines", "filled"])
-@pytest.mark.seldom(8, first=7)
+@pytest.mark.seldom(14, first=8)
 def test_a_flight_keeps_no_memory_from_frame_to_frame(mode: str) -> None:
     from landscape.settings.declare import with_settings
 

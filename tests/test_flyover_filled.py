@@ -45,7 +45,7 @@ def look(field: HeightField, camera: Camera, **changes: object) -> np.ndarray:
     return frame.draw(field, camera, settings, SIZE).picture.astype(int)
 
 
-@pytest.mark.seldom(8, first=1)
+@pytest.mark.seldom(14, first=8)
 def test_a_frame_is_opaque_and_has_the_sky_above_and_the_ground_below(red: str) -> None:
     settings = with_settings(Settings(), SMALL | {"filled.image": red, "filled.sea": 0})
     drawn = frame.draw(hills(), Camera(20, 20, 40), settings, SIZE)
@@ -54,7 +54,7 @@ def test_a_frame_is_opaque_and_has_the_sky_above_and_the_ground_below(red: str) 
     assert not ground[:40].any() and ground[80:].all()
 
 
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(8)
 @pytest.mark.parametrize(
     "angles", ((0, 0), (0.25, 0), (-0.3, 0), (0, 0.5), (0.4, -0.3), (0.7, 0.0))
 )
@@ -151,7 +151,7 @@ def test_an_eye_below_the_water_is_lifted_above_it() -> None:
     assert np.diff(heights).min() >= 0 and np.diff(heights).max() < 0.051
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=12)
 def test_ground_before_the_near_plane_is_drawn_where_it_is(tmp_path: Path) -> None:
     # A slope that rises before the eye, which is less than the near plane from it.
     field = height_field(
@@ -200,7 +200,7 @@ def test_hollows_see_less_of_the_sky_and_plains_all_of_it() -> None:
 @pytest.mark.parametrize(
     "switch", ("shadows", "occlusion", "fog", "clouds", "reflection", "smooth", "levels", "edges")
 )
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(8)
 def test_each_switch_changes_the_picture(switch: str) -> None:
     camera = Camera(20, 20, 20, 0, 0.1, 2.0)
     both = {"filled__sea": 0.4, "filled__texels": 512}
@@ -250,7 +250,7 @@ def test_a_field_is_resampled_without_a_shift() -> None:
         assert np.abs(ground.resampled(field, size) - expected).max() < 0.06
 
 
-@pytest.mark.seldom(8, first=1)
+@pytest.mark.seldom(14, first=8)
 def test_an_unseen_picture_of_the_ground_comes_from_the_cache(tmp_path, monkeypatch) -> None:
     from landscape.flyover import look as looks
 

@@ -127,7 +127,7 @@ CAMERAS = {
 }
 
 
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(5)
 @pytest.mark.parametrize("name", CAMERAS)
 def test_hidden_lines_equal_a_z_buffer_but_for_pixels_beside_silhouettes(name: str) -> None:
     up, pitch, roll, yaw = CAMERAS[name]
@@ -156,6 +156,7 @@ def test_hidden_lines_equal_a_z_buffer_but_for_pixels_beside_silhouettes(name: s
     assert not (expected & ~around(ours, True)).any()
 
 
+@pytest.mark.seldom(5, first=1)
 @pytest.mark.parametrize("name", CAMERAS)
 def test_lines_that_are_hidden_as_a_whole_have_no_pixel_that_is_seen(name: str) -> None:
     up, pitch, roll, yaw = CAMERAS[name]

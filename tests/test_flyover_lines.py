@@ -33,7 +33,7 @@ def differing(ends: np.ndarray, size: tuple[int, int]) -> list[list[int]]:
     return wrong
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13)
 def test_lines_are_those_of_the_loop_in_all_octants_clipped_and_degenerate() -> None:
     random = np.random.default_rng(5)
     ends = np.concatenate(
@@ -64,6 +64,7 @@ def exact_pixels(x0: int, y0: int, x1: int, y1: int, size: tuple[int, int]) -> l
     return on_screen(found, size)
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.parametrize("reach", (1 << 12, 1 << 20, 1 << 25, 1 << 30))
 def test_lines_to_far_beyond_the_screen_keep_their_pixels_exactly(reach: int) -> None:
     random = np.random.default_rng(reach)

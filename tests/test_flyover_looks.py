@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import pytest
 
 from landscape.flyover import clouds, ground, rock, sunlight
 from landscape.flyover.look import sun_direction
@@ -21,6 +22,7 @@ def test_clouds_have_soft_edges_and_are_bright_above_and_dark_below() -> None:
     assert np.percentile(solid, 99) - np.percentile(solid, 1) > 0.2
 
 
+@pytest.mark.seldom(5, first=4)
 def test_layers_of_rock_are_others_elsewhere_and_mountains_are_folded() -> None:
     made = rock.rock(True)
     picture = made.texels[: rock.SIDE**2].reshape(rock.SIDE, -1).astype(float)

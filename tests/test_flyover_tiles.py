@@ -77,6 +77,7 @@ def borders(field: HeightField, camera: Camera, settings: Flyover) -> tuple[int,
     return met, differing
 
 
+@pytest.mark.seldom(3, first=2)
 def test_no_crack_opens_between_tiles_for_a_whole_flight() -> None:
     field = rough()
     met = 0
@@ -107,7 +108,7 @@ def tile_set(field: HeightField, camera: Camera) -> set[tuple[int, int, int]]:
     return set(zip(tiles.level.tolist(), tiles.column.tolist(), tiles.row.tolist(), strict=True))
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=12)
 def test_no_pixel_changes_at_the_moment_when_a_tile_changes_its_level() -> None:
     field = rough()
     changes = []
@@ -165,7 +166,7 @@ def pictures(field: HeightField, camera: Camera, **changes: object) -> tuple[np.
     return (drawn.picture == 0).all(axis=2), drawn.counts
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=10)
 def test_volumes_tree_and_strips_save_work_and_change_no_pixel() -> None:
     field = rough()
     for camera in random_cameras(12):

@@ -230,6 +230,7 @@ def test_it_heeds_the_preferences_and_has_no_list_of_settings() -> None:
         window.close()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_in_a_window_too_wide_for_it_the_detail_is_not_taken_away() -> None:
     need_library("OSMesa")
     settings = with_settings(Settings(), {"flyover.mode": "lines"})

@@ -23,6 +23,7 @@ def foamy(stage: Stage, plain: Assets, kt: float, pose: Pose = DOWN) -> np.ndarr
     return np.asarray(picture.min(axis=2) / 255.0)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_foam_lies_along_the_shoreline_and_moves_without_a_jump(
     stage: Stage, plain: Assets
 ) -> None:
@@ -88,6 +89,7 @@ def test_averages_keep_a_constant_and_leave_out_what_is_not_known() -> None:
     assert np.allclose(wide[8:13], 2.0) and (wide[:8] == 0).all()
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.parametrize(
     "pose", [Pose(20.0, 0.75, 21.0, 20.0, -3.0), Pose(18.0, 3.0, 26.0, 0, -20)]
 )

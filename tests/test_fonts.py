@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import polib
+import pytest
 from commands import environment, python
 
 from framelens.base.fonts import font, monospaced, writable
@@ -39,6 +40,7 @@ def test_french_keeps_its_letters_in_every_face() -> None:
         assert writable(FRENCH, face) == FRENCH
 
 
+@pytest.mark.seldom(3)
 def test_every_character_of_the_translations_can_be_written() -> None:
     texts = {
         character

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 from commands import TESTS, python
 
 FUZZ = str(TESTS.parent / "scripts" / "fuzz")
@@ -51,6 +52,7 @@ def test_every_kind_of_fault_is_found_and_a_clear_error_is_none(tmp_path: Path) 
     assert {lines[0], lines[-1]} == {"refused 2 ", "usage 2 "}
 
 
+@pytest.mark.seldom(7, first=6)
 def test_inputs_of_every_kind_can_be_made_whatever_they_draw_by_chance() -> None:
     code = """
 import sys
@@ -64,6 +66,7 @@ for kind in inputs.KINDS:
     assert (done.status, done.err) == (0, "")
 
 
+@pytest.mark.seldom(5, first=3)
 def test_an_input_can_be_made_again_from_the_seed_and_its_name() -> None:
     code = """
 import sys

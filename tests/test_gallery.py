@@ -85,7 +85,7 @@ def test_a_printed_command_has_the_settings_of_its_picture(fix) -> None:
         assert with_settings(Settings(), changes) == with_settings(Settings(), fix.settings(after))
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=9)
 def test_a_printed_command_draws_the_committed_picture(tmp_path: Path) -> None:
     for panel in named_panels(["fig5a", "R14_after", "R15_after"]):
         program, *words = shlex.split(panel.command)

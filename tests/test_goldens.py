@@ -221,7 +221,7 @@ def test_the_comparison_fails_on_a_picture_shifted_by_one_pixel(coast, same: boo
     assert not agree(coast, np.roll(coast, 1, axis=0), same)
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(7, first=6)
 @pytest.mark.parametrize("same", [True, False])
 @pytest.mark.parametrize("missing", ["sky", "fog", "reflection", "water", "trees", "map"])
 def test_the_comparison_fails_when_one_element_is_missing(
@@ -275,7 +275,7 @@ print(pictures.renderer(), end="")
 """
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(7, first=6)
 def test_a_renderer_that_samples_textures_otherwise_agrees_and_faults_on_it_do_not(
     stage: Stage, tmp_path: Path
 ) -> None:

@@ -106,7 +106,7 @@ WORDS = {
 }
 
 
-@pytest.mark.seldom(10, first=2)
+@pytest.mark.seldom(14, first=7)
 @pytest.mark.parametrize("what", WORDS)
 def test_a_program_that_cannot_be_graded_says_why(
     what: str, grader: Grader, tmp_path: Path
@@ -148,7 +148,7 @@ def test_a_forged_error_is_still_one_line(grader: Grader, tmp_path: Path) -> Non
         ),
     ],
 )
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(12)
 def test_a_program_that_never_ends_is_ended(code: str, words: set[str], tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text(HEAD + code + "\n")
@@ -161,7 +161,7 @@ def test_a_program_that_never_ends_is_ended(code: str, words: set[str], tmp_path
     raise AssertionError(error)
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=2)
 def test_a_program_may_print_as_much_as_it_likes(grader: Grader, tmp_path: Path) -> None:
     flood = "print('x' * (100 << 20))\nos.write(1, b'y' * (1 << 20))\n"
     code = solved("missing_enable").replace("import glfw\n", f"import glfw\nimport os\n{flood}", 1)
@@ -191,7 +191,7 @@ def test_the_line_of_an_exception_is_the_last_of_the_program(
     assert error["line"] == code.splitlines().index("    glRotatef(year)") + 1
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=5)
 def test_what_a_program_wrote_is_gone_and_nothing_runs_on(tmp_path: Path) -> None:
     with Grader(PATIENCE) as short:
         short.check(exercise("winding").folder / "solution.py")
@@ -203,7 +203,7 @@ def test_what_a_program_wrote_is_gone_and_nothing_runs_on(tmp_path: Path) -> Non
     assert not folder.exists() and (server is None or server._process.poll() is not None)
 
 
-@pytest.mark.seldom(10, first=8)
+@pytest.mark.seldom(14, first=6)
 def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     listed = landscape("exercise", "list", "--json", "--lang", "en").json()
     assert [each["name"] for each in listed] == list(NAMES)
@@ -244,7 +244,7 @@ def test_the_commands_list_start_and_check(tmp_path: Path) -> None:
     assert "ZeroDivisionError" in shown["error"] and shown["picture_difference"] is None
 
 
-@pytest.mark.seldom(10, first=4)
+@pytest.mark.seldom(14, first=12)
 def test_a_picture_of_one_colour_gets_its_first_cause(tmp_path: Path) -> None:
     place = {"env": environment(), "cwd": tmp_path}
     landscape("exercise", "start", "fog", "--lang", "en", **place)
@@ -260,7 +260,7 @@ def test_a_picture_of_one_colour_gets_its_first_cause(tmp_path: Path) -> None:
     assert cause["cause"] == "viewport" and cause["source"] == f"fog.py:{line}"
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=2)
 def test_what_is_refused_is_told_in_french_as_well(tmp_path: Path) -> None:
     french = {**environment(), "LANGUAGE": "fr"}
     (tmp_path / "winding.py").write_text("# mine\n")
@@ -277,7 +277,7 @@ def test_what_is_refused_is_told_in_french_as_well(tmp_path: Path) -> None:
         assert done.err.translate(french_marks).startswith(f"landscape: {told}"), done.err
 
 
-@pytest.mark.seldom(8)
+@pytest.mark.seldom(14, first=11)
 def test_a_report_fits_the_terminal_and_paths_with_spaces(tmp_path: Path) -> None:
     folder = tmp_path / "my work"
     folder.mkdir()

@@ -125,13 +125,14 @@ def everything(grass: Grass, across: int = 80) -> Blades:
     return Blades(*(np.concatenate(arrays) for arrays in zip(*cells, strict=True)))
 
 
+@pytest.mark.seldom(3, first=2)
 def test_as_many_blades_grow_as_asked_for(sow) -> None:
     small_land = flat(size=10.0)
     assert len(everything(sow(small_land), 20).positions) == 50_000
     assert len(everything(sow(small_land, count=0), 20).positions) == 0
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=10)
 def test_blades_are_spread_evenly_over_flat_land(sow) -> None:
     places = everything(sow(count=200_000)).positions
     counts = np.histogram2d(places[:, 0], places[:, 2], bins=20, range=[[0, 40], [0, 40]])[0]
@@ -161,6 +162,7 @@ def test_another_seed_grows_other_grass(sow) -> None:
     assert one.shape != two.shape or (one != two).any()
 
 
+@pytest.mark.seldom(3, first=2)
 def test_no_blade_stands_in_the_water_and_a_drowned_island_bears_none(sow) -> None:
     at = np.linspace(0, 6, 40, dtype=np.float32)
     slope = HeightField(np.repeat(at[None, :], 40, axis=0), 10.0, 3.0)
@@ -222,7 +224,7 @@ def test_cells_behind_or_beyond_the_radius_are_left_out() -> None:
     assert visible_cells(frame, centres, 4.0).tolist() == [False, False, True, False]
 
 
-@pytest.mark.seldom(8, first=7)
+@pytest.mark.seldom(14, first=13)
 def test_cells_select_every_visible_blade_that_testing_each_blade_finds(sow) -> None:
     grass = sow()
     places = everything(grass).positions

@@ -92,7 +92,7 @@ ENDS = {
 
 @both_ways
 @pytest.mark.parametrize("name", ENDS)
-@pytest.mark.sweep(6)
+@pytest.mark.sweep(12, first=10)
 def test_what_no_exception_can_end_ends_in_one_line(tmp_path: Path, name: str, way: str) -> None:
     rest, words = ENDS[name]
     limits = ("1", "0.3") if "was ended" in words else ("15", "5")
@@ -100,7 +100,7 @@ def test_what_no_exception_can_end_ends_in_one_line(tmp_path: Path, name: str, w
 
 
 @both_ways
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(8, first=7)
 def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path, way: str) -> None:
     done = run(tmp_path, "glFlush()\nmuch = b'x' * (2 << 30)\n" + SHOW, way=way)
     assert done.status == 2
@@ -111,7 +111,7 @@ def test_a_program_may_not_take_more_memory_than_a_machine_spares(tmp_path: Path
 
 
 @both_ways
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(5, first=1)
 def test_what_a_program_prints_by_any_means_stays_out_of_the_output(
     tmp_path: Path, way: str
 ) -> None:
@@ -137,7 +137,7 @@ def test_what_a_program_prints_by_any_means_stays_out_of_the_output(
 ASKING = "n = int(input('how many? '))\nimport sys\nprint(sys.argv[1:], *sys.stdin)\n"
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=13)
 @both_ways
 def test_a_program_reads_the_commands_input_and_has_arguments_of_its_own(
     tmp_path: Path, way: str
@@ -155,6 +155,7 @@ def test_a_program_reads_the_commands_input_and_has_arguments_of_its_own(
     assert done.stderr.splitlines()[0] == "how many? ['--frame', '9'] more"
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_program_that_asks_in_vain_is_told_how_to_answer(tmp_path: Path) -> None:
     path = tmp_path / "program.py"
     path.write_text(ASKING + BEGIN)
@@ -166,7 +167,7 @@ def test_a_program_that_asks_in_vain_is_told_how_to_answer(tmp_path: Path) -> No
 WAITING = "import threading\nthreading.Event().wait(3)" + SHOW
 
 
-@pytest.mark.seldom(10, first=7)
+@pytest.mark.seldom(14, first=4)
 @pytest.mark.skipif(sys.platform != "linux", reason="the time that a thread has spent is not known")
 @both_ways
 def test_a_limit_counts_the_processors_time(tmp_path: Path, way: str) -> None:
@@ -174,7 +175,7 @@ def test_a_limit_counts_the_processors_time(tmp_path: Path, way: str) -> None:
     refused(run(tmp_path, WAITING.replace("3", ""), ("0.3", "0.5"), way), "no frame within 0.3 s")
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_the_command_line_sets_the_limit(tmp_path: Path) -> None:
     path = tmp_path / "program.py"
     path.write_text(BEGIN + "while True: pass")
@@ -184,6 +185,7 @@ def test_the_command_line_sets_the_limit(tmp_path: Path) -> None:
     refused(landscape("trace", "fig35a", "--", "3"), "--: it is for programs; 'fig35a' is a view")
 
 
+@pytest.mark.seldom(5, first=1)
 def test_a_program_may_choose_the_encoding_of_what_it_prints(tmp_path: Path) -> None:
     program = """
         import sys
@@ -194,7 +196,7 @@ def test_a_program_may_choose_the_encoding_of_what_it_prints(tmp_path: Path) -> 
     assert "GL_FOG" in json.loads(done.out) and "after the choice" in done.err
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no program can copy itself on this system")
 def test_a_copy_that_a_program_makes_of_itself_prints_nothing(tmp_path: Path) -> None:
     # Since 3.12 Python warns of every copy of a process with threads, as OpenGL has.
@@ -203,6 +205,7 @@ def test_a_copy_that_a_program_makes_of_itself_prints_nothing(tmp_path: Path) ->
     assert done.status == 0 and done.err == "" and "GL_FOG" in json.loads(done.out)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_last_thing_drawn_may_be_waiting_when_the_window_closes(tmp_path: Path) -> None:
     need_library("OSMesa")
     path = tmp_path / "triangle.py"
@@ -271,7 +274,7 @@ def test_what_a_program_has_started_ends_with_it(tmp_path: Path) -> None:
         assert not Path(f"/proc/{number}").exists()
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=6)
 @pytest.mark.posix_only("there is no such signal")
 def test_a_signal_to_the_command_alone_interrupts_the_program(tmp_path: Path) -> None:
     path = tmp_path / "program.py"
@@ -294,6 +297,7 @@ def test_a_signal_to_the_command_alone_interrupts_the_program(tmp_path: Path) ->
     assert (command.returncode, told) == (130, "landscape: interrupted\n")
 
 
+@pytest.mark.seldom(5, first=1)
 def test_control_characters_of_an_exception_are_shown(tmp_path: Path) -> None:
     done = run(tmp_path, r'raise ValueError("first\nsecond \x1b[31m\x00")')
     assert done.status == 2 and "ValueError: first\n" in done.err

@@ -89,7 +89,7 @@ def test_generated_coordinates_are_the_planes_times_the_place(fresh: Fresh) -> N
         assert np.allclose(found, meant @ planes(values).T, atol=1e-4), how
 
 
-@pytest.mark.seldom(5)
+@pytest.mark.seldom(12, first=11)
 def test_both_ways_to_multiply_the_bed_give_the_same_picture(stage: Stage, halls) -> None:
     switches = "caustics.doubled", "caustics.smooth", "caustics.sunlit"
     for more in ({}, *({each: False} for each in switches)):
@@ -99,6 +99,7 @@ def test_both_ways_to_multiply_the_bed_give_the_same_picture(stage: Stage, halls
     assert np.abs(two - drawn(stage, halls, shown=("room",))).max() > 40
 
 
+@pytest.mark.seldom(3, first=2)
 def test_object_and_eye_planes_agree_only_if_the_camera_is_set_first(stage: Stage, halls) -> None:
     object_linear = drawn(stage, halls, BED)
     eye = drawn(stage, halls, BED | {"caustics.planes": "eye"})
@@ -182,7 +183,7 @@ def test_most_light_is_thrown_away_from_the_sun() -> None:
     assert away > 2 * towards > 0
 
 
-@pytest.mark.seldom(8, first=3)
+@pytest.mark.seldom(14, first=1)
 def test_no_mesh_reaches_beyond_the_light() -> None:
     for _, mesh in lit_meshes(SUN):
         assert mesh.triangles.max() < len(mesh.vertices)
@@ -204,6 +205,7 @@ def test_water_mirrors_two_hundredths_from_above_and_all_along_its_surface() -> 
     assert steepness(places, eye) == pytest.approx([1.0, 0.6])
 
 
+@pytest.mark.seldom(3, first=2)
 def test_with_too_few_texture_units_the_pool_is_drawn_without_caustics(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -93,7 +93,7 @@ def test_in_8_bits_the_roundings_of_the_samples_add_up(view: Offscreen) -> None:
     assert np.abs(mean_of(view, grey, False) - 64).max() < 0.1
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_a_mean_of_equal_samples_is_the_picture_itself(view: Offscreen) -> None:
     sharp = picture(view, MILL, blur_samples=1)
     still = picture(view, MILL, blur_samples=16, blur_shutter=0.0)
@@ -102,6 +102,7 @@ def test_a_mean_of_equal_samples_is_the_picture_itself(view: Offscreen) -> None:
     assert far.mean() < 0.02
 
 
+@pytest.mark.seldom(5)
 def test_a_turning_sail_covers_a_pixel_for_its_part_of_the_time(
     view: Offscreen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -241,6 +242,7 @@ def test_exhibits_out_of_view_or_far_away_are_not_accumulated(view: Offscreen) -
     assert uses((2.15, 0.15, 2.7, 318.0, 0.0)) == 0
 
 
+@pytest.mark.seldom(3, first=1)
 def test_without_framebuffer_objects_the_exhibits_are_drawn_sharp(
     view: Offscreen, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -103,6 +103,7 @@ def overlap(one: np.ndarray, other: np.ndarray) -> float:
     return float((one & other).sum() / (one | other).sum())
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.parametrize("operation", ["union", "intersection", "difference"])
 def test_the_solids_show_what_intervals_on_lines_of_sight_give(
     view: Offscreen, operation: str
@@ -265,6 +266,7 @@ def test_titles_differ_and_fill_their_plates() -> None:
         assert all((plate != other).any() for other in parts[number + 1 :])
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.parametrize("number", range(6))
 def test_an_exhibit_leaves_state_as_found(view: Offscreen, number: int) -> None:
     pose = Pose(1.15, 0.15, plan.ALCOVES[number], 270.0, -5.0)

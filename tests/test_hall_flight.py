@@ -110,7 +110,7 @@ def test_a_flight_is_a_motion_of_the_picture_though_the_walker_stands() -> None:
     assert shows(0.0) == shows(0.1 * SPAN)
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7, first=5)
 def test_the_scene_is_seen_from_the_flight_and_its_path_from_outside(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:

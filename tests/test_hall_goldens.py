@@ -47,7 +47,7 @@ def halls(the_stage: Stage) -> Iterator[list[Hall]]:
     kept[0].release()
 
 
-@pytest.mark.sweep(10, first=4)
+@pytest.mark.sweep(12)
 @pytest.mark.parametrize("name", VIEWS)
 def test_a_view_of_the_hall_matches_its_golden_picture(
     stage: Stage, halls: list[Hall], request: pytest.FixtureRequest, name: str

@@ -41,7 +41,7 @@ def test_only_a_drag_with_the_right_button_carries_and_it_turns_no_view() -> Non
     assert hands.carried() == (0.0, 0.0)
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=8)
 def test_one_texture_changes_and_comes_back_exactly(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:

@@ -91,7 +91,7 @@ def difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(one - other).max(axis=2))
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(7, first=3)
 def test_the_mirror_image_is_what_a_camera_mirrored_at_the_floor_sees(stage, halls) -> None:
     assert NAVE.y is not None
     image, floor = drawn(stage, halls, NAVE, only=STONE)
@@ -105,7 +105,7 @@ def test_the_mirror_image_is_what_a_camera_mirrored_at_the_floor_sees(stage, hal
     assert (levels > 1).mean() < 0.001 and levels.max() <= 4
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=6)
 def test_the_statue_s_image_differs_from_its_mirrored_view_only_by_its_coarser_mesh(
     stage, halls
 ) -> None:
@@ -216,7 +216,7 @@ def test_the_image_of_the_room_fades_with_its_height(stage, halls) -> None:
     assert faded[floor].mean() < 0.9 * image[floor].mean()
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_in_wireframe_one_looks_through_the_stone(hall_pictures: HallPictures) -> None:
     background = np.round(255 * np.array(SCENE.settings.fog.color))
     shares = []

@@ -65,7 +65,7 @@ def test_clouds_become_mist_without_gaps() -> None:
     assert mist[0, 0, 3] == 255 and (mist[1:, 1:, 3] == round(255 * BASE)).all()
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(7, first=5)
 def test_one_sheet_is_blended_by_its_alpha_and_its_depth_is_not_written(picture: Draw) -> None:
     none = picture(OVER_THE_FLOOR)
     mist = picture(OVER_THE_FLOOR, mist_enabled=True, mist_sheets=1, mist_density=1.0)
@@ -113,7 +113,7 @@ def test_the_clouds_move_only_outside_the_windows(
     assert not (changed & ~sky).any()
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=9)
 def test_two_layers_move_at_two_speeds_and_lie_in_their_order(picture: Draw) -> None:
     assert moved(picture, sky_layers=0).max() == 0
     assert 0 < moved(picture, sky_layers=1).mean() < moved(picture, sky_layers=2).mean()

@@ -73,7 +73,7 @@ def without_stencil(stage: Stage) -> Iterator[None]:
     gl.glDeleteRenderbuffers(1, np.array([depth], np.uint32))
 
 
-@pytest.mark.seldom(8, first=7)
+@pytest.mark.seldom(14, first=11)
 def test_without_a_stencil_buffer_what_needs_it_is_off(
     without_stencil: None,
     whole: list[np.ndarray],

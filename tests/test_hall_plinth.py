@@ -55,7 +55,7 @@ def test_light_without_the_sun_is_that_of_the_shade() -> None:
     np.testing.assert_array_equal(without_sun(light, 0 * share), light)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=6)
 @pytest.mark.parametrize("figure, sunlit", [("ball", True), ("dragon", False), ("ball", False)])
 def test_only_the_plinth_is_lit_otherwise_and_none_of_it_brighter(
     baked: np.ndarray, figure: str, sunlit: bool

@@ -46,7 +46,7 @@ def test_waves_tilt_the_normal_no_more_than_their_steepness_and_move() -> None:
     assert np.abs(first - later).max() > 0.005
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=2)
 def test_the_water_mirrors_the_golden_statue(stage: Stage, hall_pictures: HallPictures) -> None:
     without = tuple(name for name in SHOWN if name != "statue")
     shiny, dull = {"pool.mirrors": 2.0}, {"pool.mirrors": 0.0}

@@ -43,7 +43,7 @@ def picture(stage: Stage, opened: list[Hall], safeguard: Safeguard, after: bool)
 
 
 @pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
-@pytest.mark.sweep(24)
+@pytest.mark.sweep(14)
 def test_a_safeguard_s_two_pictures_differ(
     stage: Stage, opened: list[Hall], safeguard: Safeguard
 ) -> None:

@@ -127,7 +127,7 @@ LIGHTS = {
 }
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=4)
 @pytest.mark.parametrize(
     ("light", "plane", "pose"),
     [
@@ -152,7 +152,7 @@ def test_the_shadow_covers_what_projection_covers(stage, hall, light, plane, pos
     assert (got & wanted).sum() / (got | wanted).sum() > 0.99
 
 
-@pytest.mark.seldom(5, first=2)
+@pytest.mark.seldom(12, first=7)
 @pytest.mark.parametrize("pose", [AT_WALL, AT_FLOOR], ids=["wall", "floor"])
 def test_no_pixel_is_darkened_twice_by_one_light(stage, hall, pose) -> None:
     plain = drawn(stage, hall, pose, {"shadow.strength": 0.0})
@@ -270,7 +270,7 @@ def test_a_flame_before_the_wall_casts_the_statue_upside_down_only_without_its_s
     assert (dark & wanted).sum() / (dark | wanted).sum() > 0.98
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=3)
 def test_a_sun_behind_the_north_wall_casts_nothing_on_its_inside(stage, hall) -> None:
     # A hall of its own: caustics are built for one place of the sun.
     with stage.borrowed():
@@ -294,7 +294,7 @@ def test_the_torch_s_flame_wavers_with_kt_and_stays_near(stage, hall) -> None:
     assert steps.max() < 0.004, "it does not jump"
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=9)
 def test_the_shadow_on_the_wall_shows_in_the_floor_s_mirror_image(stage, hall) -> None:
     pose = Pose(1.6, 0.14, 0.9, 0.0, -22.0)
     image = {"mirror.enabled": True, "mirror.strength": 1.0}

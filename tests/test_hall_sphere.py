@@ -89,7 +89,7 @@ def pictures(draw: HallPictures, **statue: Any) -> list[np.ndarray]:
     return [draw(pose, 20.0, SHOWN, settings) for pose in AROUND]
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10)
 def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:
@@ -98,7 +98,7 @@ def test_sphere_and_cube_map_mirror_the_same_hall_from_all_sides(
         assert np.abs(cube - sphere).mean() < 3.0
 
 
-@pytest.mark.seldom(5, first=4)
+@pytest.mark.seldom(12, first=7)
 def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:
@@ -107,6 +107,7 @@ def test_a_sphere_map_that_is_not_made_anew_turns_with_the_viewer(
     assert changes[0] == 0.0 and min(changes[1:]) > 0.5
 
 
+@pytest.mark.seldom(5, first=2)
 @pytest.mark.parametrize("first", ["a wireframe", "an interlaced frame"])
 def test_the_kept_map_does_not_depend_on_the_frame_that_needs_it_first(
     first: str, hall_pictures: HallPictures
@@ -123,7 +124,7 @@ def test_the_kept_map_does_not_depend_on_the_frame_that_needs_it_first(
     np.testing.assert_array_equal(hall_pictures(pose, 20.0, SHOWN), usual)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=5)
 def test_without_cube_maps_the_statue_stays_bronze_and_one_line_says_why(
     stage: Stage,
     hall_pictures: HallPictures,

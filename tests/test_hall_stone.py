@@ -86,7 +86,7 @@ def leaves_by_an_opening(start: np.ndarray, rays: np.ndarray) -> np.ndarray:
     return found
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=12)
 @pytest.mark.parametrize("start", [(1.6, 0.3, 1.6), (1.12, 0.1, 0.61), (2.05, 0.5, 2.43)])
 def test_every_line_of_sight_ends_on_the_front_of_stone_or_leaves_by_an_opening(start) -> None:
     corners = triangles(shell())
@@ -102,7 +102,7 @@ def test_every_line_of_sight_ends_on_the_front_of_stone_or_leaves_by_an_opening(
 
 
 @pytest.mark.parametrize("height", [0.06, 0.20, 0.50])
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13)
 def test_a_pillar_shows_no_inside_from_any_side(height: float) -> None:
     corners = triangles(pillar(0.0, 0.0))
     for turn in np.radians([3.0, 25.0, 48.0]):
@@ -211,7 +211,7 @@ def test_a_course_of_the_wall_is_as_high_as_a_mason_lifts() -> None:
             np.testing.assert_allclose(risen, -surface.points[..., 1], atol=1e-9)
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13)
 def test_all_meshes_together_hold_all_surfaces() -> None:
     expected = sum(2 * (s.points.shape[0] - 1) * (s.points.shape[1] - 1) for s in hall())
     found = meshes()
@@ -314,7 +314,7 @@ def drawn(stage: Stage, opened: Hall, *shown: str, **changed: Any) -> np.ndarray
         return stage.read()
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7)
 def test_flames_and_shafts_add_light_and_their_settings_take_it_away(stage, opened) -> None:
     plain = drawn(stage, opened, "room", "floor")
     air = drawn(stage, opened, "room", "floor", "shafts")
@@ -328,7 +328,7 @@ def test_flames_and_shafts_add_light_and_their_settings_take_it_away(stage, open
     assert (turned != bare).any()
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13)
 @pytest.mark.parametrize("tolerance", LEVELS)
 def test_a_coarser_grid_is_as_near_to_the_finer_one_as_it_should_be(tolerance: float) -> None:
     most = 0.0
@@ -342,7 +342,7 @@ def test_a_coarser_grid_is_as_near_to_the_finer_one_as_it_should_be(tolerance: f
     assert most <= tolerance * 1.001
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13)
 def test_each_level_has_fewer_triangles_than_the_one_before_and_no_ring_becomes_a_line() -> None:
     counts = [0] * len(LEVELS)
     for (_, material, _, level), found in meshes().items():
@@ -353,7 +353,7 @@ def test_each_level_has_fewer_triangles_than_the_one_before_and_no_ring_becomes_
     assert 4 <= len(needed(ring.points, 1, LEVELS[-1])) < 10
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13)
 def test_what_is_longer_than_a_bay_is_in_none_and_each_bay_stays_within_its_ends() -> None:
     for (sheet, _, bay, _), part in meshes().items():
         if sheet == "hall" and bay and int(bay) != ALONG:

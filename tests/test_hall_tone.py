@@ -36,7 +36,7 @@ def expected(plain: np.ndarray, brightness: float, contrast: float) -> np.ndarra
     return np.clip(np.round(plain * contrast + 255 * brightness), 0, 255)
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(7, first=4)
 @pytest.mark.parametrize("method", ["blend", "pixels"])
 @pytest.mark.parametrize(
     ("brightness", "contrast"),
@@ -50,6 +50,7 @@ def test_each_pixel_is_scaled_and_biased(
     assert np.abs(found - plain).max() > 20
 
 
+@pytest.mark.seldom(3, first=2)
 def test_above_a_contrast_of_2_the_bias_s_rounding_is_enlarged_by_the_contrast(
     picture: Draw, plain: np.ndarray
 ) -> None:
@@ -94,7 +95,7 @@ def test_doublings_multiply_to_the_contrast_and_none_is_above_2() -> None:
         assert max(doublings(scale)) <= 2.0
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13)
 def test_flames_shine_undimmed_before_dimmed_surroundings(
     stage: Stage, hall_pictures: HallPictures
 ) -> None:
@@ -110,6 +111,7 @@ def test_flames_shine_undimmed_before_dimmed_surroundings(
     assert everything.max() == 0
 
 
+@pytest.mark.seldom(5, first=1)
 def test_a_floor_seen_from_below_hides_the_statue_s_mark(hall_pictures: HallPictures) -> None:
     below = Pose(1.6, -0.3, 1.2, 0.0, 80.0)
     shown = (*SHOWN, "mirror")

@@ -155,7 +155,7 @@ def drawn_heights(mesh: Mesh, x: np.ndarray, z: np.ndarray) -> np.ndarray:
 # Standing on the triangles that are drawn (R15)
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13)
 @pytest.mark.parametrize("smooth", ["none", "b_spline"])
 def test_the_eye_is_always_equally_high_above_the_drawn_surface(
     shipped: Assets, smooth: str

@@ -90,6 +90,7 @@ def test_each_kind_shows_its_own_picture_near_and_far(
             assert close(here, expected[:3], 12)
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize("cell", range(HERB, HERB + len(HERBS)))
 def test_from_above_each_herb_shows_its_own_colour(
     stage: Stage, sprites: RefinedSprites, cell: int

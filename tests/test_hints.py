@@ -61,6 +61,7 @@ def test_without_any_line_there_is_no_place() -> None:
         between(None, call("glEnd"))
 
 
+@pytest.mark.seldom(7, first=6)
 def test_the_lines_are_those_that_lead_to_a_call(tmp_path: Path) -> None:
     code = "\n".join(
         [

@@ -97,7 +97,7 @@ def various(the_stage: Stage, tmp_path_factory: pytest.TempPathFactory):
         yield made
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7, first=5)
 def test_a_shadow_darkens_what_is_around_the_feet_of_what_is_near(
     stage: Stage, various: RefinedSprites
 ) -> None:
@@ -113,6 +113,7 @@ def test_a_shadow_darkens_what_is_around_the_feet_of_what_is_near(
     assert change(20.0 - WITHIN - 0.1, 0.8) == 0
 
 
+@pytest.mark.seldom(7, first=5)
 def test_herbs_keep_their_colours_by_day(stage: Stage, various: RefinedSprites) -> None:
     def colour(cell: int) -> float:
         put(various, [(20.0, 3.0, 18.0)], [cell], (1.0, 1.0))

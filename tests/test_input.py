@@ -26,7 +26,7 @@ def shell(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) -> Shell:
     return the_shell
 
 
-@pytest.mark.seldom(5, first=3)
+@pytest.mark.seldom(12, first=7)
 @pytest.mark.posix_only("it has no device such as /dev/zero")
 @pytest.mark.parametrize(
     "words",
@@ -77,6 +77,7 @@ def test_a_file_may_have_as_many_bytes_as_allowed_and_no_more(tmp_path: Path) ->
         read_bounded(path, 1023, "--settings a")
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.posix_only("its pipes have no names in folders")
 def test_an_image_or_mesh_is_not_read_from_a_pipe(shell: Shell) -> None:
     os.mkfifo(shell.cwd / "pipe.png")
@@ -179,7 +180,7 @@ HOSTILE = {
 }
 
 
-@pytest.mark.seldom(10, first=8)
+@pytest.mark.seldom(14, first=10)
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_mesh_made_to_fill_the_memory_takes_little(name: str, tmp_path: Path) -> None:
     file, data, reason = HOSTILE[name]
@@ -196,7 +197,7 @@ def test_a_mesh_made_to_fill_the_memory_takes_little(name: str, tmp_path: Path) 
     assert peak < 300e6
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=2)
 def test_a_damaged_stl_gives_one_line(shell: Shell) -> None:
     (shell.cwd / "bad.stl").write_bytes(b"solid x\nfacet normal 0 0 0\n garbage")
     view = ("render", "fig35e", "--only=rabbit", "--set=rabbit.mesh=bad.stl")

@@ -192,7 +192,7 @@ def driven(screen: dict[str, str], tmp_path: Path) -> Iterator[Driven]:
         walk.end()
 
 
-@pytest.mark.seldom(10, first=1)
+@pytest.mark.seldom(14)
 def test_keys_open_it_change_the_fog_and_undo_it(
     driven: Driven, screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -227,7 +227,7 @@ def test_keys_open_it_change_the_fog_and_undo_it(
     driven.until(lambda now: not now["open"], "the walk")
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=10)
 def test_the_mouse_drags_a_number_inside_a_display_list(driven: Driven) -> None:
     plain = driven.until(lambda now: now["hash"], "a frame")["hash"]
     driven.open()
@@ -299,7 +299,7 @@ print(json.dumps([hashes, missed]))
 """
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(3, first=2)
 def test_an_edit_of_what_is_built_is_undone_by_building_the_scene_again(tmp_path: Path) -> None:
     path = tmp_path / "edits.json"
     with Offscreen((64, 48), "2006", only="sky", samples=0) as view, view.taped("fig35a") as tape:
@@ -315,7 +315,7 @@ def test_an_edit_of_what_is_built_is_undone_by_building_the_scene_again(tmp_path
     assert missed == [] and plain == undone != edited == again
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=1)
 def test_a_walk_tells_of_edits_without_a_call_and_that_a_recording_has_none(tmp_path: Path) -> None:
     key = Key("glFogf", "nowhere", "main", "landscape/elements/fog.py", "enable", "", ())
     write([Edit(key, 0, 1, 0.3)], tmp_path / "e.json")

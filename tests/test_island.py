@@ -129,6 +129,7 @@ def test_the_same_seed_builds_the_same_island_and_another_a_different_one(stage:
     assert (pictures[0] != pictures[2]).any()
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.parametrize("element", ["ground", "sky", "water", "grass", "sword", "map", "castle"])
 def test_an_element_not_shown_is_not_drawn(stage: Stage, island: Island, element: str) -> None:
     moment = MOMENT
@@ -206,7 +207,7 @@ def test_settings_read_at_each_frame_may_change_between_frames(
     assert (picture(stage, island, "ground", "fog") == clear).all()
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(7, first=3)
 @pytest.mark.parametrize("ornate", [False, True])
 def test_with_walk_solid_trunks_deer_and_keep_stop_a_walker(stage: Stage, ornate: bool) -> None:
     stage.enter()

@@ -67,7 +67,7 @@ def test_a_late_process_is_ended() -> None:
     assert told.value.status is None
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=5)
 @pytest.mark.posix_only("no signal ends a process there")
 def test_the_seconds_of_the_processor_are_limited() -> None:
     with pytest.raises(Ended) as told:

@@ -239,7 +239,7 @@ print(json.dumps([seen, ran, sorted(Found.read()[0].names), notes,
 """
 
 
-@pytest.mark.seldom(5, first=3)
+@pytest.mark.seldom(12, first=11)
 def test_a_walk_finds_names_opens_and_records_a_landmark(folder: Path) -> None:
     done = python(
         WALKS,

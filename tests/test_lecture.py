@@ -175,7 +175,7 @@ def test_the_words_of_a_user_are_not_translated_even_if_a_shipped_lecture_has_th
         assert (words == (lecture.title, step.title, step.text, step.notes)) == same
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(7, first=3)
 def test_a_copied_lecture_says_in_its_file_what_the_shipped_one_says_in_the_users_language(
     shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -262,7 +262,7 @@ def test_the_curve_of_the_lecture_on_reflections_is_what_the_studio_draws() -> N
 
 @pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (1024, 768)])
 @pytest.mark.parametrize("language", ["en", "fr"])
-@pytest.mark.sweep(18)
+@pytest.mark.sweep(14, first=9)
 def test_the_captions_of_the_course_fit_into_a_band_of_one_height(
     monkeypatch: pytest.MonkeyPatch, language: str, size: tuple[int, int]
 ) -> None:
@@ -287,6 +287,7 @@ def test_nothing_covers_the_area_and_all_of_the_window_is_used(size: tuple[int, 
     assert layout((1921, 1081), True, 2.0).area[0] % 2 == 0, "whole coordinates of a fine display"
 
 
+@pytest.mark.seldom(3)
 def test_a_long_caption_is_cut_and_a_short_one_is_larger() -> None:
     box = (1920, 120)
     short, long = (
@@ -318,7 +319,7 @@ def test_a_caption_keeps_the_band_low_where_its_title_is_long() -> None:
     assert higher.area[1] < found.area[1], "what the user wrote is shown"
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=1)
 def test_a_walk_in_a_lecture_has_its_mouse_in_its_area_and_names_the_lecture_s_key(
     tmp_path: Path,
 ) -> None:

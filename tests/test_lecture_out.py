@@ -88,7 +88,7 @@ def slides() -> list[Slide]:
     ]
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=3)
 def test_a_lecture_becomes_one_page_with_its_pictures_code_and_notes(
     lecture: Path, tmp_path: Path
 ) -> None:
@@ -193,7 +193,7 @@ def test_a_page_is_the_same_each_time_and_closes_what_it_opens(slides: list[Slid
     assert "Notes" in made.decode() and "1 sur 3" in made.decode()
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=8)
 def test_what_cannot_be_written_is_said_before_anything_is_drawn(
     shell: Shell, lecture: Path, tmp_path: Path
 ) -> None:

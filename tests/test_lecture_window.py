@@ -154,7 +154,7 @@ def _shown(screen: dict[str, str], folder: Path, text: str, *words: str) -> Iter
             process.wait()
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=4)
 def test_steps_follow_each_other_in_one_window_each_in_a_new_opengl(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -197,7 +197,7 @@ def test_steps_follow_each_other_in_one_window_each_in_a_new_opengl(
     assert shown.errors().startswith(line)
 
 
-@pytest.mark.seldom(8, first=7)
+@pytest.mark.seldom(3)
 def test_the_list_the_code_the_strip_and_the_inspector_open_and_close(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -238,7 +238,7 @@ def test_the_list_the_code_the_strip_and_the_inspector_open_and_close(
     assert shown.errors() == ""
 
 
-@pytest.mark.seldom(10, first=6)
+@pytest.mark.seldom(14, first=9)
 def test_a_view_is_walked_and_taken_apart(screen: dict[str, str], tmp_path: Path) -> None:
     text = "title: A lecture of tests\n\nfig13a\n\none.py\n"
     with _shown(screen, tmp_path, text, "--size", "480x320") as shown:

@@ -39,7 +39,7 @@ def names(folder: Path) -> set[str]:
     return {path.name for path in folder.iterdir()}
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=2)
 @pytest.mark.posix_only("a killed program's files are told by their age there")
 @pytest.mark.parametrize("seed", range(4))
 def test_a_program_killed_at_any_moment_leaves_a_whole_file_and_the_next_start_clears_up(

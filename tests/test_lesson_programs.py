@@ -51,7 +51,7 @@ def test_a_program_is_plain_and_says_what_it_is_written_with(name: str) -> None:
 
 
 @each_program
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(12, first=11)
 def test_a_program_runs_without_a_screen(name: str, glfw_watcher: Watcher) -> None:
     drawn = glfw_watcher(program_files(name)[0], 1)
     assert drawn.error == "", drawn.details
@@ -59,7 +59,7 @@ def test_a_program_runs_without_a_screen(name: str, glfw_watcher: Watcher) -> No
 
 @pytest.mark.window
 @each_program
-@pytest.mark.sweep(6, first=1)
+@pytest.mark.sweep(12, first=11)
 def test_both_forms_draw_the_same_picture(
     name: str, glfw_watcher: Watcher, glut_watcher: Watcher, tmp_path: Path
 ) -> None:
@@ -87,7 +87,7 @@ def test_both_forms_draw_the_same_picture(
         assert (np.abs(one - two).max(-1) > 8).mean() < 0.02
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=5)
 @pytest.mark.window
 @pytest.mark.parametrize("name", ["wire_teapot", "grey_keys"])
 def test_trace_and_strip_show_a_glut_program(name: str, tmp_path: Path) -> None:
@@ -103,7 +103,7 @@ def test_trace_and_strip_show_a_glut_program(name: str, tmp_path: Path) -> None:
         assert picture.stat().st_size > 1000
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=7)
 def test_a_lesson_is_copied_with_its_programs_which_run_there_in_french(
     glfw_watcher: Watcher, tmp_path: Path
 ) -> None:

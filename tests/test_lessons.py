@@ -100,6 +100,7 @@ TAUGHT = {
 """The first lesson that may use a call or a capability: what its page is about."""
 
 
+@pytest.mark.seldom(3, first=2)
 @all_lessons
 def test_a_lesson_uses_nothing_that_a_later_one_teaches(name: str) -> None:
     if name == HELPER:
@@ -156,7 +157,7 @@ def test_a_wrong_tag_is_found(tmp_path: Path) -> None:
 
 @pytest.mark.golden
 @each_lesson
-@pytest.mark.sweep(10)
+@pytest.mark.sweep(14)
 def test_a_lesson_looks_as_it_did(
     name: str, watcher: Watcher, tmp_path: Path, pytestconfig: pytest.Config, stage: object
 ) -> None:
@@ -183,7 +184,7 @@ def picture_of(name: str, watcher: Watcher, folder: Path) -> tuple[np.ndarray, s
     return np.fromfile(file, np.uint8).reshape(480, 640, 3), drawn.log[0][2]
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13)
 @pytest.mark.parametrize("name", ["text", "matrix_stack", PRESSED[0], PRESSED[-1]])
 def test_the_picture_of_a_lesson_is_written_to_a_file(
     name: str, shell: Shell, watcher: Watcher, tmp_path: Path
@@ -197,7 +198,7 @@ def test_the_picture_of_a_lesson_is_written_to_a_file(
 
 
 @each_lesson
-@pytest.mark.sweep(24, first=1)
+@pytest.mark.sweep(14, first=13)
 def test_each_key_of_a_lesson_changes_its_picture(name: str, watcher: Watcher) -> None:
     found = lesson(name)
 
@@ -228,7 +229,7 @@ SIZED = [
 
 
 @pytest.mark.parametrize("name", SIZED)
-@pytest.mark.sweep(12, first=5)
+@pytest.mark.sweep(12, first=7)
 def test_lines_points_and_what_is_measured_in_letters_grow_with_the_window(
     name: str, watcher: Watcher
 ) -> None:
@@ -252,6 +253,7 @@ def test_a_drag_of_the_mouse_changes_the_lesson_mouse(watcher: Watcher) -> None:
     assert watcher(file, 2, events=drag[::2]).picture == watcher(file, 2).picture, "no button"
 
 
+@pytest.mark.seldom(3, first=2)
 def test_the_right_button_opens_the_popup_menu_and_the_left_one_chooses(watcher: Watcher) -> None:
     file = lesson("popup_menu").file
 
@@ -298,7 +300,7 @@ def starters() -> Iterator[list[Starter]]:
 
 @pytest.mark.window
 @each_lesson
-@pytest.mark.sweep(14, first=3)
+@pytest.mark.sweep(14)
 def test_a_lesson_runs_in_a_window_until_escape(
     name: str, screen: dict[str, str], starter: Starter, tmp_path: Path
 ) -> None:
@@ -369,6 +371,7 @@ def test_a_copy_runs_in_its_folder_and_is_never_overwritten(
     assert copies[0].read_text() == "changed"
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize(
     "words, said",
     [
@@ -386,14 +389,14 @@ def test_what_cannot_be_done_is_told_in_one_line(
     refused(shell("lesson", *words), said)
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(7, first=5)
 @pytest.mark.posix_only("there is always a screen")
 def test_without_a_screen_a_lesson_says_how_to_see_it() -> None:
     done = landscape("lesson", "text")
     assert done.status == 3 and "--out FILE.png" in done.err and done.err.count("\n") == 1
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=1)
 @pytest.mark.posix_only("there is always a screen")
 def test_a_copied_lesson_without_a_screen_ends_with_one_line_and_does_not_abort() -> None:
     files = [lesson(name).file for name in NAMES]

@@ -16,7 +16,7 @@ def shell(the_shell: Shell, tmp_path_factory: pytest.TempPathFactory) -> Shell:
     return the_shell
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=8)
 @pytest.mark.parametrize(
     ("only", "change"),
     [
@@ -34,7 +34,7 @@ def test_a_setting_at_its_limit_gives_no_warning(only: str, change: str, shell: 
     assert (done.status, done.err) == (0, ""), done.err
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=8)
 @pytest.mark.parametrize("pose", ["1e5,1,20,0,0", "20,1e8,20,0,-90", "-9e8,ground,9e8,9e8,9e8"])
 def test_an_eye_far_away_gives_no_warning(pose: str, shell: Shell) -> None:
     small = ("--size=64x48", "--samples=0", *shell.small)

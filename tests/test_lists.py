@@ -17,7 +17,7 @@ from landscape.offscreen import Offscreen
 SIZE = (96, 72)
 
 
-@pytest.mark.seldom(8, first=7)
+@pytest.mark.seldom(14, first=4)
 @pytest.mark.parametrize("preset", ["2006", "best"])
 def test_lists_compiled_again_without_edits_leave_every_pixel_as_it_was(preset: str) -> None:
     few = {"trees.count": 200, "grass.count": 2000} if preset == "2006" else SMALL_BEST
@@ -49,7 +49,7 @@ def first(name: str) -> tuple[Listing, Edit]:
     raise AssertionError(name)
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(3)
 def test_an_edit_inside_a_list_shows_at_once_and_undone_gives_the_former_bytes() -> None:
     few = {"trees.count": 200, "grass.count": 2000}
     with Offscreen(SIZE, "2006", few, samples=0) as view:
@@ -85,7 +85,7 @@ FOG = {
 }
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=3)
 def test_render_plays_a_file_of_edits_and_tells_of_one_without_a_call(tmp_path: Path) -> None:
     path = tmp_path / "edits.json"
     lost = {**FOG, "element": "nowhere"}

@@ -191,7 +191,7 @@ def test_variety_makes_heights_and_colours_differ() -> None:
     assert varied[0] > 1.3 * plain[0] and varied[1] > 5 * plain[1]
 
 
-@pytest.mark.seldom(10, first=2)
+@pytest.mark.seldom(14, first=3)
 def test_cells_long_unused_are_dropped_and_regrow_identically(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -293,7 +293,7 @@ def shown(meadow: Meadow, frame: Any, patch: Patch) -> set[bytes]:
     return {blade.tobytes() for blade in meadow.bend(frame, patch) if np.ptp(blade[:, 1]) > 0}
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=3)
 @pytest.mark.parametrize("fade", [True, False])
 def test_a_reused_selection_shows_what_a_new_one_would(sow, fade: bool) -> None:
     meadow, other = (sow(fade=fade, count=200_000) for _ in range(2))
@@ -330,7 +330,7 @@ def test_what_is_drawn_does_not_depend_on_what_has_grown_before(
 DENSE_MEADOW: dict[str, Any] = {"fade": True, "tufts": 6, "sward": True, "count": 24_000_000}
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=7)
 def test_close_up_layers_grow_only_in_the_squares_that_are_near(
     sow, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -152,7 +152,7 @@ def test_a_mesh_is_sent_by_one_draw_call_where_its_vertices_are(stage: Stage) ->
 
 
 @pytest.mark.parametrize("ending", ["obj", "stl", "off", "glb"])
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(12, first=5)
 def test_other_formats_are_read_through_trimesh(tmp_path: Path, ending: str) -> None:
     import trimesh
 
@@ -165,7 +165,7 @@ def test_other_formats_are_read_through_trimesh(tmp_path: Path, ending: str) -> 
     assert np.allclose(vertices.max(axis=0), (1, 2, 3)) and triangles.max() < len(vertices)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=8)
 def test_a_damaged_mesh_of_another_format_names_its_file(tmp_path: Path) -> None:
     path = tmp_path / "bad.glb"
     path.write_bytes(b"no mesh at all")

@@ -43,7 +43,7 @@ def test_a_picture_of_blocks_is_read_in_their_middles() -> None:
     assert colors(frame, 2, 2, table).tolist() == [[0, 1], [2, -1]]
 
 
-@pytest.mark.seldom(8)
+@pytest.mark.seldom(14, first=1)
 @pytest.mark.parametrize("left", ["glPushMatrix()", "glPushAttrib(GL_ENABLE_BIT)", "glFlush()"])
 def test_a_stack_that_grows_is_told_though_the_picture_is_right(left: str, tmp_path: Path) -> None:
     code = solved("first_drawing")
@@ -55,7 +55,7 @@ def test_a_stack_that_grows_is_told_though_the_picture_is_right(left: str, tmp_p
     assert failed == ([] if left == "glFlush()" else ["stacks"])
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=11)
 def test_what_gl_array_element_draws_counts_and_its_vertices_are_not_looked_at(
     tmp_path: Path,
 ) -> None:

@@ -79,7 +79,7 @@ def laid_open(request: pytest.FixtureRequest, assets: Path) -> LaidOpen:
             return LaidOpen(tape.calls, tape.begin, pairs, found, same)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=12)
 def test_from_the_state_at_one_call_a_new_context_comes_to_the_state_at_a_later_one(
     laid_open: LaidOpen, fresh: Fresh
 ) -> None:
@@ -105,12 +105,12 @@ def test_from_the_state_at_one_call_a_new_context_comes_to_the_state_at_a_later_
     target.release()
 
 
-@pytest.mark.seldom(5, first=3)
+@pytest.mark.seldom(12, first=3)
 def test_asking_for_states_does_not_change_the_picture(laid_open: LaidOpen) -> None:
     assert laid_open.same_picture
 
 
-@pytest.mark.seldom(5, first=3)
+@pytest.mark.seldom(12, first=3)
 def test_of_the_elements_only_the_fog_leaves_something_changed(laid_open: LaidOpen) -> None:
     """It is there for all that are drawn after it."""
     assert set(laid_open.leaks) > {"water", "castle", "reflection"}
@@ -120,7 +120,7 @@ def test_of_the_elements_only_the_fog_leaves_something_changed(laid_open: LaidOp
     assert set(laid_open.leaks["fog"]["main"]) == fog
 
 
-@pytest.mark.seldom(10, first=9)
+@pytest.mark.seldom(14, first=6)
 @pytest.mark.parametrize("preset", ["2006", "best"])
 def test_a_frame_of_the_main_views_ends_in_the_state_in_which_it_began(
     assets: Path, preset: str
@@ -241,7 +241,7 @@ def test_reports_name_their_moments(assets: Path) -> None:
 FEW = ("--preset", "2006", "--size", "96x72", "--only", "ground,sky,fog,map")
 
 
-@pytest.mark.seldom(3, first=1)
+@pytest.mark.seldom(7, first=2)
 def test_the_command_prints_a_state_as_json_and_as_text(shell: Shell) -> None:
     command = ("state", "fig35f", *FEW, *shell.small)
     state = shell(*command, "--at", "fog", "--json").json()
@@ -253,7 +253,7 @@ def test_the_command_prints_a_state_as_json_and_as_text(shell: Shell) -> None:
     assert "GL_FOG_DENSITY" in done.out and "\ncolouring and lighting\n" in done.out
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=4)
 @pytest.mark.parametrize("option", ["--at", "--diff"])
 def test_calls_and_elements_that_the_frame_does_not_have_are_refused(
     shell: Shell, option: str

@@ -163,7 +163,7 @@ def test_out_of_a_pit_one_is_let_out_but_not_while_one_digs() -> None:
 
 
 @pytest.mark.parametrize("seed", range(10))
-@pytest.mark.sweep(10)
+@pytest.mark.sweep(12)
 def test_no_random_walk_ends_in_a_place_without_a_way_out(seed: int) -> None:
     rng = np.random.default_rng(seed)
     x, z = rng.uniform(17.0, 23.0, (2, 400))
@@ -174,13 +174,13 @@ def test_no_random_walk_ends_in_a_place_without_a_way_out(seed: int) -> None:
         assert not land.dead_ends(range(20 * seed, 20 * seed + 20), 6)
 
 
-@pytest.mark.seldom(7)
+@pytest.mark.seldom(14, first=10)
 @pytest.mark.parametrize("view", ["fig35e", "voxel_bay"])
 def test_no_random_walk_on_the_whole_island_ends_without_a_way_out(
     view: str, todays: Todays
 ) -> None:
     with opened(view) as land:
-        assert not land.dead_ends(todays(range(200), 4), 10)
+        assert not land.dead_ends(todays(range(200), 4, 14), 10)
 
 
 @contextmanager

@@ -67,7 +67,7 @@ def quick_light(mesh: Mesh, *others: object) -> tuple[np.ndarray, np.ndarray]:
 def traced(tmp_path_factory, todays: Todays) -> Iterator[dict[tuple[str, str], set[str]]]:
     """The names called, by (preset, view): each view in its own preset, figure 35 in all presets.
 
-    Of the settings that views have of their own, a run takes every fourth.
+    Of the settings that views have of their own, a run takes every twelfth.
 
     Views that need the same island share one, so the calls that build it are counted with the first
     view drawn in it.
@@ -75,7 +75,7 @@ def traced(tmp_path_factory, todays: Todays) -> Iterator[dict[tuple[str, str], s
     folder = quick_assets(tmp_path_factory.mktemp("quick"))
     found: dict[tuple[str, str], set[str]] = {}
     for preset in PRESETS:
-        given = [{}, *todays(SETTINGS, 4)]
+        given = [{}, *todays(SETTINGS, 12)]
         mine = [v for v in VIEWS.values() if v.preset in (preset, "") and v.settings in given]
         with recording() as recorder, pytest.MonkeyPatch.context() as patch:
             for module in (atlas, refined_atlas):
@@ -100,7 +100,7 @@ def test_no_view_calls_a_forbidden_function(
     traced: dict[tuple[str, str], set[str]], todays: Todays
 ) -> None:
     assert len(FORBIDDEN) > 500
-    given = [{}, *todays(SETTINGS, 4)]
+    given = [{}, *todays(SETTINGS, 12)]
     wanted = {view.name for view in VIEWS.values() if view.settings in given}
     assert wanted and {view for _, view in traced} >= wanted
     assert not {where: names & FORBIDDEN for where, names in traced.items() if names & FORBIDDEN}

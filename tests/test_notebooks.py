@@ -48,7 +48,7 @@ def _is_code(cell: dict[str, Any]) -> bool:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(14, first=1)
 def test_a_notebook_runs_without_a_browser_and_keeps_its_pictures(
     name: str, tmp_path: Path
 ) -> None:
@@ -105,7 +105,7 @@ def calls(source: str) -> tuple[list[str], str]:
     return magic, ast.dump(tree)
 
 
-@pytest.mark.seldom(10, first=7)
+@pytest.mark.seldom(14, first=12)
 def test_a_frame_is_shown_as_a_picture_and_asked_for_pixels_calls_and_causes() -> None:
     mirror = landscape.lesson("mirror", keys="S", size=(160, 120))
     assert mirror.picture.size == (160, 120) and mirror._repr_png_()[:4] == b"\x89PNG"
@@ -118,7 +118,7 @@ def test_a_frame_is_shown_as_a_picture_and_asked_for_pixels_calls_and_causes() -
         assert "Issue" in mirror.pixel(0, 0)._repr_html_()
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14)
 def test_the_keys_of_a_lesson_s_picture_give_way_to_those_that_are_named() -> None:
     plain, own, named = (
         np.asarray(landscape.lesson("mirror", keys, size=(80, 60)).picture)
@@ -133,6 +133,7 @@ def test_a_program_that_crashes_ends_its_own_process_only(tmp_path: Path) -> Non
         framelens.look(tmp_path / "crash.py")
 
 
+@pytest.mark.seldom(3, first=2)
 def test_bad_input_is_refused_before_anything_is_drawn() -> None:
     for wrong, said in (
         (lambda: landscape.show("fig99"), "fig99"),
@@ -147,7 +148,7 @@ def test_bad_input_is_refused_before_anything_is_drawn() -> None:
             wrong()
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13)
 def test_a_check_shows_each_test_and_where_the_picture_differs() -> None:
     start = (TESTS.parent / "landscape/course/exercises/missing_enable/start.py").read_text("utf-8")
     found = landscape.check(start)
@@ -159,7 +160,7 @@ def test_a_check_shows_each_test_and_where_the_picture_differs() -> None:
     assert repr(found).splitlines()[0].startswith("missing_enable: ")
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13)
 def test_a_live_walk_takes_events_without_a_browser() -> None:
     pytest.importorskip("jupyter_rfb")
     walk = landscape.show("fig6a", size=(160, 120), live=True)

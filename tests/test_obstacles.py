@@ -45,6 +45,7 @@ def walk(walker: Walker, obstacles, seconds: float = 0.5, frames: int = 15, **ho
     return walker
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize("within", [0.05, 0.4, 3.0])
 def test_a_grid_finds_the_obstacles_that_a_list_has_near_a_place(within: float) -> None:
     towers, wall = wood(1), Wall(20.0, 20.0, 1.0, 0.1, 0.3, 2.0)
@@ -58,7 +59,7 @@ def test_a_grid_finds_the_obstacles_that_a_list_has_near_a_place(within: float) 
 
 
 @pytest.mark.parametrize("seed", range(12))
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(14, first=1)
 def test_a_random_walk_enters_no_trunk_and_is_never_stuck(seed: int) -> None:
     grid, rng = solid_wood(seed), np.random.default_rng(seed)
     trunk = grid.towers[rng.integers(len(grid.towers))]
@@ -76,7 +77,7 @@ def test_a_random_walk_enters_no_trunk_and_is_never_stuck(seed: int) -> None:
     assert touched > 5, "the walk met too few trunks to prove anything"
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=3)
 @pytest.mark.parametrize(("seed", "count"), [(0, 45), (1, 60), (2, 80)])
 def test_from_every_free_place_in_a_wood_there_is_a_way_out(seed: int, count: int) -> None:
     towers = wood(seed, count, side=1.0)
@@ -175,7 +176,7 @@ def test_the_gate_is_shut_from_outside_and_opens_from_within() -> None:
     assert in_yard(over.x, over.z)[1] < 0.5, "the wall above the gate is solid"
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=10)
 @pytest.mark.parametrize("seed", range(6))
 def test_whoever_lands_in_the_yard_can_walk_out(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -62,7 +62,7 @@ def drawn(settings: Settings, assets: Assets, frames: list[Frame]) -> dict[Frame
     return pictures
 
 
-@pytest.mark.seldom(10, first=2)
+@pytest.mark.seldom(14, first=6)
 @pytest.mark.parametrize("name", PRESETS)
 def test_a_picture_is_the_same_whatever_was_drawn_before_it(
     stage: Stage, assets: Assets, name: str
@@ -75,7 +75,7 @@ def test_a_picture_is_the_same_whatever_was_drawn_before_it(
     assert not different
 
 
-@pytest.mark.seldom(10, first=4)
+@pytest.mark.seldom(14)
 @pytest.mark.parametrize("name", PRESETS)
 def test_a_view_with_all_elements_leaves_the_state_as_its_beginning_set_it(
     stage: Stage, assets: Assets, name: str

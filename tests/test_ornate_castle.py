@@ -128,7 +128,7 @@ def test_pennants_hang_under_the_tips_of_their_masts_and_are_shaded_by_their_slo
     assert len(np.unique(colours[:, 0])) > 4 and (colours[:, 0] > 2 * colours[:, 1]).all()
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=6)
 @pytest.mark.parametrize(("mirrored", "rippled", "burns"), [(0, 1, 1), (1, 0, 1), (1, 1, 0)])
 def test_flames_and_pennants_are_not_drawn_into_a_rippled_mirror_image(
     stage: Stage, plain: Assets, mirrored: int, rippled: int, burns: int
@@ -143,6 +143,7 @@ def test_flames_and_pennants_are_not_drawn_into_a_rippled_mirror_image(
     assert len(sent) == 2 * burns
 
 
+@pytest.mark.seldom(7, first=4)
 def test_an_ornate_castle_out_of_view_is_not_drawn_and_its_mirror_image_is_lower(
     stage: Stage, plain: Assets
 ) -> None:
@@ -283,7 +284,7 @@ def test_boxes_packed_on_shelves_do_not_overlap() -> None:
         shelves([(SIDE, SIDE), (2, 2)])
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=9)
 def test_every_vertex_looks_up_the_light_at_its_own_position() -> None:
     mesh, strips = ornate_masonry(4.0)
     named = np.concatenate([strip.ravel() for strip in strips])

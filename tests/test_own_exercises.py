@@ -99,7 +99,7 @@ def test_a_name_that_is_no_name_of_an_exercise_is_refused(name: str) -> None:
         new(name, "en")
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=12)
 def test_a_new_exercise_holds_as_it_is(shelf: Shelf, grader: Grader) -> None:
     found = shelf.exercise(NAME)
     findings = list(Rehearsal(found, grader, plain).all())
@@ -202,7 +202,7 @@ def test_a_fault_of_an_exercise_is_one_line_that_names_the_file_and_the_key(
     assert str(error.value).startswith(str(folder))
 
 
-@pytest.mark.seldom(8, first=3)
+@pytest.mark.seldom(14, first=11)
 def test_a_rehearsal_says_what_does_not_hold(shelf: Shelf, grader: Grader, tmp_path: Path) -> None:
     found = shelf.exercise(NAME)
     rehearsal = Rehearsal(found, grader, plain)
@@ -222,7 +222,7 @@ def test_a_rehearsal_says_what_does_not_hold(shelf: Shelf, grader: Grader, tmp_p
     assert (str(few.tried), str(few.wrong)) == ("mutants.py has at least 4 mistakes", "it has 3")
 
 
-@pytest.mark.seldom(8, first=1)
+@pytest.mark.seldom(14, first=5)
 def test_what_a_test_raises_of_the_solution_is_said_with_its_line(tmp_path: Path) -> None:
     folder = write(tmp_path / NAME)
     changed("grading.py", "return (left + right) / 2, tip", "return left(right), tip")(folder)
@@ -252,6 +252,7 @@ def test_new_texts_come_into_the_catalogue_and_the_rest_of_it_stays(tmp_path: Pa
         untranslated(found)
 
 
+@pytest.mark.seldom(4, first=3)
 def test_only_a_hidden_test_fails_where_no_other_looks(report: Report) -> None:
     assert [result.test.key for result in report.results if not result.passed] == ["back"]
     assert not report.passed
@@ -261,7 +262,7 @@ def test_only_a_hidden_test_fails_where_no_other_looks(report: Report) -> None:
     assert "back beyond a whole turn (not shown to students)" in "\n".join(as_text(report, plain))
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=12)
 def test_points_count_and_what_is_hidden_reaches_no_students_page(
     clamped: Path, shelf: Shelf, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -276,7 +277,7 @@ def test_points_count_and_what_is_hidden_reaches_no_students_page(
     assert row.tests[-1]["hint"].encode() in whole and row.tests[-1]["hint"].encode() not in page
 
 
-@pytest.mark.seldom(8, first=3)
+@pytest.mark.seldom(14, first=11)
 def test_students_check_what_they_get_and_get_no_solution(shelf: Shelf, tmp_path: Path) -> None:
     found = shelf.exercise(NAME)
     files = handout.for_students([found, shelf.exercise("winding")], shelf, "fr")
@@ -304,7 +305,7 @@ def test_students_check_what_they_get_and_get_no_solution(shelf: Shelf, tmp_path
     assert {f"{NAME}/{name}" for name in ("solution.py", "hidden.py", "mutants.py")} <= set(kept)
 
 
-@pytest.mark.seldom(10, first=3)
+@pytest.mark.seldom(14, first=8)
 def test_the_commands_begin_start_and_pack_an_exercise(tmp_path: Path) -> None:
     done = landscape("exercise", "new", NAME, cwd=tmp_path)
     assert (done.status, done.out.splitlines()[-1]) == (0, f"landscape exercise test {NAME}")
@@ -342,7 +343,7 @@ def test_the_commands_begin_start_and_pack_an_exercise(tmp_path: Path) -> None:
     assert translator("fr", "course")("The exercise does not hold yet.") in done.out
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=5)
 def test_a_program_of_ones_own_is_a_lesson(tmp_path: Path) -> None:
     code = new(NAME, "en")["solution.py"]
     tags = "# picture: frame 2 after RIGHT\n"

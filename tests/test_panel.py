@@ -138,7 +138,7 @@ def shown_rows(stage: Stage, size: tuple[int, int], **what: Any) -> np.ndarray:
     return np.asarray(covered)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=4)
 @pytest.mark.parametrize("size", [(320, 240), (640, 360), (1280, 720)])
 def test_a_message_is_below_the_keys_and_beside_the_list(
     stage: Stage, size: tuple[int, int]

@@ -159,7 +159,7 @@ def test_a_part_that_fails_thrice_is_told_and_the_others_are_drawn(tmp_path: Pat
     assert not list((tmp_path / "parts").glob("*.claim"))
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=6)
 @pytest.mark.posix_only("no signal ends a process there")
 @pytest.mark.slow
 def test_a_part_that_kills_its_process_is_told_and_the_others_are_drawn(tmp_path: Path) -> None:
@@ -326,7 +326,7 @@ def test_the_same_film_is_not_drawn_in_two_ways_at_once(tmp_path: Path) -> None:
     drawn(Failing(9.0), tmp_path)
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=6)
 @pytest.mark.slow
 def test_two_processes_with_nothing_but_a_folder_in_common_make_one_film(tmp_path: Path) -> None:
     words = ["film", "fig2a", "--seconds", "20", "--fps", "10", "--size", "48x32"]

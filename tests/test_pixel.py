@@ -29,7 +29,7 @@ def result_of(row: Row) -> np.ndarray:
 
 
 @pytest.mark.parametrize("preset", ["2006", "best"])
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(14, first=1)
 def test_the_history_ends_with_the_frames_pixel_and_its_arithmetic_is_right(preset: str) -> None:
     random = np.random.default_rng(35)
     outcomes = set()
@@ -197,7 +197,7 @@ def test_a_pixel_outside_is_refused_in_one_line() -> None:
                 history(tape, 160, 0)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=1)
 def test_the_command_prints_json_with_the_fields_of_the_contract() -> None:
     done = landscape("pixel", "fig35e", "80,60", "--preset", "2006", "--size", "160x120", "--json")
     assert done.status == 0, done.err
@@ -209,7 +209,7 @@ def test_the_command_prints_json_with_the_fields_of_the_contract() -> None:
     assert done.status == 2 and "expected X,Y such as 400,300" in done.err
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=1)
 def test_the_history_is_the_same_through_osmesa_and_egl() -> None:
     need_library("OSMesa", "EGL")
     words = ("pixel", "fig35e", "80,60", "--preset", "2006", "--size", "160x120", "--json")

@@ -88,7 +88,7 @@ def assert_passes(report: Report) -> None:
     assert report.passed and report.contained == LANDLOCK, report.error
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_the_others_of_a_class_are_hidden_and_the_rest_of_the_system_is_not(system: Path) -> None:
     mine = system / "class" / "ada" / "mine.py"
     other = system / "class" / "bob"
@@ -96,7 +96,7 @@ def test_the_others_of_a_class_are_hidden_and_the_rest_of_the_system_is_not(syst
     assert_passes(checked(mine))
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_a_class_behind_a_link_is_hidden(system: Path, tmp_path: Path) -> None:
     other = system / "class" / "bob" / "mine.py"
     (tmp_path / "link").symlink_to(system / "class")
@@ -108,7 +108,7 @@ def test_a_class_behind_a_link_is_hidden(system: Path, tmp_path: Path) -> None:
     assert_passes(checked(linked))
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 @pytest.mark.parametrize("kind", ["a folder", "files"])
 def test_a_class_that_is_graded_is_hidden_with_its_tables(
     system: Path, kind: str, monkeypatch: pytest.MonkeyPatch
@@ -130,7 +130,7 @@ def test_a_class_that_is_graded_is_hidden_with_its_tables(
     assert not list(temporary.iterdir()), "workers delete what they wrote"
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_python_alone_refuses_the_class_and_reads_itself_inside_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -148,7 +148,7 @@ def test_python_alone_refuses_the_class_and_reads_itself_inside_it(
     assert error is not None and error["word"] == "read"
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_homes_caches_temporary_folders_and_checkouts_are_hidden(
     system: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -163,7 +163,7 @@ def test_homes_caches_temporary_folders_and_checkouts_are_hidden(
     assert_passes(checked(mine))
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 @pytest.mark.parametrize("home", ["/", "/usr", "/opt/nobody"])
 def test_any_home_will_do(home: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HOME", home)
@@ -173,7 +173,7 @@ def test_any_home_will_do(home: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert_passes(checked(mine))
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_a_checkout_in_a_folder_of_the_system_is_hidden(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -72,7 +72,7 @@ BUILD = ["assets", "build", "-q", "--assets"]
 @pytest.mark.parametrize(
     ("words", "made"), [(RENDER, 1), (BUILD, 0)], ids=["render", "assets build"]
 )
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(14)
 def test_workers_end_with_their_parent(
     words: list[str], made: int, ended_by: str, mark: str, tmp_path: Path
 ) -> None:
@@ -98,7 +98,7 @@ def test_workers_end_with_their_parent(
         assert not list((tmp_path / "out").glob(".*"))
 
 
-@pytest.mark.seldom(8)
+@pytest.mark.seldom(14)
 def test_kill_ends_a_walk_with_its_recording_complete(mark: str, tmp_path: Path) -> None:
     need_library("OSMesa")
     words = ["walk", "fig4a", "--backend", "osmesa", "--size", "64x48", "--frames", "100000"]

@@ -46,7 +46,7 @@ def write(tmp_path: Path) -> Write:
     return write
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10)
 def test_a_program_is_watched_from_its_context_to_its_frame(watch: Watcher) -> None:
     seen = watch(PROGRAMS / "lantern.py", 2)
     backend = seen.log[0][2]
@@ -304,7 +304,7 @@ def test_a_program_finds_its_folder_its_arguments_and_the_users_files(
     assert watch(other / "main.py").calls == [["glClearColor", "0.75", "0", "0", "1"]]
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=2)
 def test_calls_without_a_context_have_no_effect(watch: Watcher, write: Write) -> None:
     current, on = "glfw.make_context_current(window)\n", "glEnable(GL_SCISSOR_TEST)\n"
     draw = "glClearColor(1, 1, 1, 1)\nglScissor(0, 0, 1, 1)\nglClear(GL_COLOR_BUFFER_BIT)\n"
@@ -345,6 +345,7 @@ FAILURES: dict[str, tuple[str, int, str]] = {
 }
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.parametrize("name", FAILURES)
 def test_a_program_that_fails_ends_in_one_line(watch: Watcher, write: Write, name: str) -> None:
     rest, frame, words = FAILURES[name]
@@ -466,7 +467,7 @@ ENDLESS = {
 }
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=5)
 @pytest.mark.parametrize("name", ENDLESS)
 def test_a_program_that_never_ends_is_ended(watch: Watcher, tmp_path: Path, name: str) -> None:
     text, error = ENDLESS[name]
@@ -505,7 +506,7 @@ def test_a_program_cannot_swallow_its_end(watch: Watcher, write: Write) -> None:
     assert seen.error == "" and seen.log[-1] == ["ended", 2]
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10)
 def test_a_program_is_ended_in_any_thread(tmp_path: Path) -> None:
     path = tmp_path / "endless.py"
     path.write_text("import glfw\nwhile True: pass\n")
@@ -574,7 +575,7 @@ def test_a_program_with_shaders_is_followed_with_a_notice(watch: Watcher, write:
     ]
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10)
 def test_a_shaders_text_is_traced(write: Write) -> None:
     path = write(
         """
@@ -604,7 +605,7 @@ def test_a_core_profile_is_followed_with_a_notice(watch: Watcher, write: Write) 
     assert "asks for a core profile" in seen.notices[0]
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=4)
 @pytest.mark.parametrize("backend", ["osmesa", "egl"])
 def test_the_same_program_runs_by_osmesa_and_by_egl(tmp_path: Path, backend: str) -> None:
     need_library({"osmesa": "OSMesa", "egl": "EGL"}[backend])
@@ -618,6 +619,7 @@ def test_the_same_program_runs_by_osmesa_and_by_egl(tmp_path: Path, backend: str
     assert seen.colours > 1000
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.posix_only("there is always a screen")
 def test_without_a_screen_the_backend_glfw_is_refused_in_one_line(tmp_path: Path) -> None:
     watcher = Watcher(tmp_path, XDG_RUNTIME_DIR="/nonexistent")
@@ -653,6 +655,7 @@ fan(0.4, 1, 0, 0)
 """
 
 
+@pytest.mark.seldom(3)
 def test_a_display_list_that_is_executed_while_it_is_compiled_is_seen_as_a_list_and_a_call(
     watch: Watcher, write: Write
 ) -> None:

@@ -52,7 +52,7 @@ def write(tmp_path: Path) -> Write:
     return write
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=5)
 def test_the_windmill_turns_by_its_timer_and_repeats(watch: Watcher) -> None:
     first, again, still = (watch(PROGRAMS / "windmill.py", frame) for frame in (3, 3, 0))
     assert first.picture == again.picture != still.picture
@@ -242,6 +242,7 @@ def test_a_program_that_fails_ends_in_one_line(watch: Watcher, write: Write, nam
     assert ("Traceback" in seen.details) == ("raised" in words)
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_program_stuck_in_a_callback_is_ended(watch: Watcher, write: Write) -> None:
     stuck = "glutIdleFunc(lambda: time.sleep(0) or stuck())\ndef stuck():\n    while 1: pass\n"
     path = write(stuck + "glutMainLoop()\n")
@@ -287,6 +288,7 @@ def test_a_program_that_chooses_no_display_mode_has_a_depth_buffer(
     assert watch(write(bits, begin), 1).err.splitlines()[0] == "True 0"
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.posix_only("there is always a screen")
 def test_glut_without_a_screen_is_refused_in_one_line(tmp_path: Path) -> None:
     need_library("glut")
@@ -296,6 +298,7 @@ def test_glut_without_a_screen_is_refused_in_one_line(tmp_path: Path) -> None:
     assert error.endswith("windmill.py: GLUT needs a screen (DISPLAY is not set): use xvfb-run")
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_glfw_program_with_shapes_of_glut_draws_on_the_screen(
     watch: Watcher, write: Write
 ) -> None:
@@ -319,7 +322,7 @@ def test_a_glfw_program_with_shapes_of_glut_draws_on_the_screen(
     assert seen.colours > 1
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=5)
 def test_shapes_are_drawn_again_and_calls_are_shown_with_the_programs_lines(write: Write) -> None:
     need_library("glut")
     begin = BEGIN.replace("GLUT_DOUBLE", "GLUT_SINGLE").replace(

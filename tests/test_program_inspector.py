@@ -123,7 +123,7 @@ TELLING = {
 }
 
 
-@pytest.mark.seldom(10, first=5)
+@pytest.mark.seldom(14, first=7)
 @pytest.mark.parametrize("name", ["GLFW", "GLUT", "pygame", "GLFW, closed"])
 def test_f1_asks_why_a_pixel_looks_so_and_chooses_the_call_to_blame(
     screen: dict[str, str], tmp_path: Path, name: str
@@ -164,7 +164,7 @@ def test_f1_asks_why_a_pixel_looks_so_and_chooses_the_call_to_blame(
     assert edit.skip and edit.key.name == "glEnable"
 
 
-@pytest.mark.seldom(10, first=9)
+@pytest.mark.seldom(14, first=4)
 @pytest.mark.parametrize("name", TELLING)
 def test_the_inspector_stops_a_program_edits_its_calls_and_lets_it_go_on(
     screen: dict[str, str], tmp_path: Path, name: str
@@ -244,7 +244,7 @@ glutMainLoop()
 """
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13)
 def test_a_glut_program_waits_for_its_user_and_keeps_what_it_has_drawn(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -297,7 +297,7 @@ glutMainLoop()
 """
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=1)
 def test_a_picture_that_is_never_swapped_is_seen_in_the_inspector_only(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -347,7 +347,7 @@ while not glfw.window_should_close(window):
 """
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13)
 def test_an_edit_of_the_setup_stays_in_force_and_is_undone_in_a_later_frame(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -383,6 +383,7 @@ def _stands(told: Callable[[], list[str]]) -> bool:
     return len(told()) == count
 
 
+@pytest.mark.seldom(3)
 def test_a_view_and_a_program_of_another_toolkit_are_refused_in_one_line(tmp_path: Path) -> None:
     refused(landscape("inspect", "fig35e"), "fig35e", "expected the path of a .py program")
     path = tmp_path / "other.py"
@@ -425,7 +426,7 @@ ENDS = {
 }
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=6)
 @pytest.mark.parametrize("name", ENDS)
 def test_a_program_that_cannot_go_on_ends_the_inspector_in_one_line(
     screen: dict[str, str], tmp_path: Path, name: str

@@ -49,7 +49,7 @@ def write(tmp_path: Path) -> Write:
     return write
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_the_waves_move_with_the_held_clock_and_repeat(watch: Watcher) -> None:
     first, again, still = (watch(PROGRAMS / "waves.py", frame) for frame in (5, 5, 0))
     assert first.picture == again.picture != still.picture
@@ -59,7 +59,7 @@ def test_the_waves_move_with_the_held_clock_and_repeat(watch: Watcher) -> None:
     assert first.colours > 300
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_arrow_keys_turn_the_pond(watch: Watcher) -> None:
     held = watch(PROGRAMS / "waves.py", 4, events=[{"frame": 2, "key": "RIGHT"}])
     turns = [float(call[1]) for call in held.calls if call[0] == "glRotatef"]
@@ -171,7 +171,7 @@ def test_osmesa_is_refused_in_one_line(watch: Watcher) -> None:
     assert error.endswith("waves.py: pygame draws by EGL or on a screen, not by OSMesa")
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=1)
 @pytest.mark.window
 def test_the_same_program_runs_on_a_screen(tmp_path: Path) -> None:
     with screen() as name:

@@ -25,33 +25,33 @@ def check(name: str, path: Path, *more: object) -> None:
 
 
 @pytest.mark.parametrize(("frame", "backend"), [(0, "auto"), (4, "egl")])
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(14, first=7)
 def test_a_programs_frame_is_replayed_and_every_pixel_explained(frame: int, backend: str) -> None:
     if backend == "egl":
         need_library("EGL")
     check("every_pixel_is_explained", LANTERN, frame, backend)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_an_edit_in_a_programs_list_is_the_program_with_that_constant_changed(
     tmp_path: Path,
 ) -> None:
     check("an_edit_in_a_list_is_the_program_changed", tmp_path)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_a_frame_that_begins_without_a_clear_is_replayed_over_what_was_there(
     tmp_path: Path,
 ) -> None:
     check("a_frame_without_a_clear_is_replayed", tmp_path)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_the_frame_in_which_shaders_are_built_is_replayed(tmp_path: Path) -> None:
     check("shaders_draw_again_what_they_drew", tmp_path)
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_a_structured_array_is_shown_as_its_numbers(tmp_path: Path) -> None:
     path = tmp_path / "structured.py"
     path.write_text(
@@ -91,7 +91,7 @@ glfw.swap_buffers(window)
     assert f"{path}: has called nothing of OpenGL through PyOpenGL" in said
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=7)
 def test_files_are_named_by_the_way_from_the_program(tmp_path: Path) -> None:
     folder = tmp_path / "project"
     for name in ("project", "project/a", "project/b", "common"):
@@ -150,7 +150,7 @@ BY_HAND = {
 }
 
 
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(8, first=7)
 @pytest.mark.parametrize("name", BY_HAND)
 def test_an_edit_written_by_hand_needs_only_what_tells_its_call(tmp_path: Path, name: str) -> None:
     call, wanted = BY_HAND[name]
@@ -165,6 +165,7 @@ def test_an_edit_written_by_hand_needs_only_what_tells_its_call(tmp_path: Path, 
     assert (told in done.err) == (wanted is None)
 
 
+@pytest.mark.seldom(3)
 def test_edits_that_name_a_file_without_its_folder_find_it(tmp_path: Path) -> None:
     (tmp_path / "scene").mkdir()
     (tmp_path / "scene" / "draw.py").write_text(
@@ -187,17 +188,17 @@ def test_json_has_what_an_edit_says_of_its_call(tmp_path: Path) -> None:
     assert (call["function"], call["text"]) == ("Scene.draw", "glColor3f(0, 1, 0)")
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=9)
 def test_the_lists_of_a_text_are_found_from_the_list_base(tmp_path: Path) -> None:
     check("lists_are_found_from_the_list_base", tmp_path)
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=9)
 def test_the_setup_ends_with_the_first_call_that_draws(tmp_path: Path) -> None:
     check("the_setup_ends_with_the_first_draw", tmp_path)
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=11)
 def test_the_tools_do_without_the_accelerator_of_pyopengl() -> None:
     without = landscape("state", LANTERN, env=environment(PYOPENGL_USE_ACCELERATE="0"))
     assert without.status == 0, without.err
@@ -205,7 +206,7 @@ def test_the_tools_do_without_the_accelerator_of_pyopengl() -> None:
     assert without.out == landscape("state", LANTERN).out
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=5)
 def test_the_commands_look_into_programs(tmp_path: Path) -> None:
     done = landscape("pixel", LANTERN, "200,150", "--frame", "2")
     assert done.status == 0 and "make_lantern: glBegin(GL_QUAD_STRIP)" in done.out, done.err
@@ -238,7 +239,7 @@ while not glfw.window_should_close(window):
 """
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=5)
 def test_a_program_without_fixed_function_is_traced_and_no_more(tmp_path: Path) -> None:
     need_library("OSMesa")  # without a screen nothing else gives a core profile
     path = tmp_path / "core.py"

@@ -102,7 +102,7 @@ def untranslated(english: str, french: str) -> list[str]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(9)
+@pytest.mark.sweep(9, first=8)
 def test_a_lesson_in_french_is_the_same_program(name: str) -> None:
     source = lesson(name).file.read_text(encoding="utf-8")
     french = described(lesson(name), "fr")
@@ -117,7 +117,7 @@ def test_a_lesson_in_french_is_the_same_program(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", EXERCISES)
-@pytest.mark.sweep(6)
+@pytest.mark.sweep(6, first=1)
 def test_an_exercise_in_french_is_the_same_program(name: str) -> None:
     english, french = (start(exercise(name), language) for language in ("en", "fr"))
     assert same_program(french, english)

@@ -85,6 +85,7 @@ def test_a_camera_looks_at_its_target_with_its_top_up() -> None:
     assert turned(q, np.array([0.0, 1.0, 0.0]))[1] > 0
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.parametrize("short", [True, False])
 def test_slerp_turns_at_constant_speed_from_one_end_to_the_other(short: bool) -> None:
     rng = np.random.default_rng(5)

@@ -24,7 +24,7 @@ def test_what_was_once_found_is_read_or_refused_in_one_line(path: Path, tmp_path
     hunt.attempt(READERS[path.name.partition("-")[0]], path.read_bytes(), tmp_path)
 
 
-@pytest.mark.seldom(10)
+@pytest.mark.seldom(14, first=5)
 @pytest.mark.parametrize("name", READERS)
 def test_a_file_of_each_format_with_odd_values_is_read_or_refused(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -85,7 +85,7 @@ def test_python_refuses_a_wrong_argument(case: Any, view: landscape.Offscreen) -
     assert said.startswith(f"{argument} ") and said.endswith(expected), said
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=6)
 @by_setting
 def test_a_wrong_setting_is_refused_by_its_key_in_the_same_words(change: str, shell: Shell) -> None:
     key, _, value = change.partition("=")

@@ -30,7 +30,7 @@ def two(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(render_many, "cores", lambda: 2)
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=10)
 def test_several_processes_draw_the_same_pictures_as_one(two: None, tmp_path: Path) -> None:
     told: list[str] = []
     jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
@@ -43,7 +43,7 @@ def test_several_processes_draw_the_same_pictures_as_one(two: None, tmp_path: Pa
     assert len(list(tmp_path.iterdir())) == len(NAMES)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=6)
 def test_an_error_in_one_process_is_reported_in_its_own_words(two: None, tmp_path: Path) -> None:
     jobs = [(name, name, tmp_path / f"{name}.png") for name in NAMES]
     arguments = {**ARGUMENTS, "settings": {"ground.height_image": "nowhere.png"}}
@@ -52,7 +52,7 @@ def test_an_error_in_one_process_is_reported_in_its_own_words(two: None, tmp_pat
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=10)
 def test_a_defect_in_one_process_is_told_with_its_place_there(
     two: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -87,7 +87,7 @@ def test_any_executor_draws_the_same_files(tmp_path: Path) -> None:
     assert files[0] == files[1] and len(set(files[0])) == len(NAMES)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=6)
 @pytest.mark.slow
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_while_drawing_many_pictures_leaves_only_complete_files(tmp_path: Path) -> None:

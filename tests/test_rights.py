@@ -48,7 +48,7 @@ def run(place: Path, *words: str) -> Done:
 DRAW = ("render", "fig4a", "--size=64x48", "--preset=2006", "--only=map")
 
 
-@pytest.mark.seldom(10, first=6)
+@pytest.mark.seldom(14, first=3)
 @pytest.mark.parametrize(
     ("words", "said"),
     [

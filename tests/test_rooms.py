@@ -1,6 +1,7 @@
 """The floors: every module imports only from its own room or from one on a floor below it."""
 
 import ast
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -86,17 +87,8 @@ def imports(path: Path) -> list[tuple[int, str]]:
 
     What stands under `if TYPE_CHECKING` is not imported.
     """
-    code = ast.parse(path.read_text(encoding="utf-8"))
-    typed = {
-        id(node)
-        for test in ast.walk(code)
-        if isinstance(test, ast.If) and ast.unparse(test.test) == "TYPE_CHECKING"
-        for node in ast.walk(test)
-    }
     lines = []
-    for node in ast.walk(code):
-        if id(node) in typed:
-            continue
+    for node in statements(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             names = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -107,6 +99,20 @@ def imports(path: Path) -> list[tuple[int, str]]:
             if name.split(".")[0] in ("framelens", "landscape"):
                 lines.append((node.lineno, name))
     return lines
+
+
+def statements(block: ast.AST) -> Iterator[ast.stmt]:
+    """Yield the statements in a block and in what it holds, but not those for types alone.
+
+    An expression holds no import, and most of a program is expressions.
+    """
+    for field in ("body", "handlers", "cases", "orelse", "finalbody"):
+        for node in getattr(block, field, ()):
+            if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+                continue
+            if isinstance(node, ast.stmt):
+                yield node
+            yield from statements(node)
 
 
 def upward(path: Path, root: Path = ROOT) -> list[str]:

@@ -191,7 +191,7 @@ CLASS = {
 }
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=1)
 def test_a_class_is_a_row_each_in_every_table(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -446,7 +446,7 @@ def test_control_characters_of_a_student_reach_no_table() -> None:
     ElementTree.fromstring(tables.as_junit([row]))
 
 
-@pytest.mark.seldom(8, first=2)
+@pytest.mark.seldom(14, first=11)
 def test_the_command_writes_what_is_asked_for_and_nothing_where_it_cannot(tmp_path: Path) -> None:
     zipped(tmp_path / "class.zip", CLASS)
     sheet = tmp_path / "sheet.csv"

@@ -1,6 +1,7 @@
 """Run-up: waves climb fast and drain slowly, sand dries more slowly than it wets."""
 
 import numpy as np
+import pytest
 from seaside import LEVEL, beach, drawn
 from stage import Stage
 
@@ -61,6 +62,7 @@ def test_foam_that_a_wave_has_left_thins_out_until_the_next_one_takes_it() -> No
     assert 0.0 < begun <= ending
 
 
+@pytest.mark.seldom(3, first=2)
 def test_waves_reach_farther_on_a_level_beach_and_leave_cliffs_alone() -> None:
     x, z = np.zeros(1), np.zeros(1)
     assert run_up.reaches(np.array([0.1]), x, z) > 2 * run_up.reaches(np.array([0.4]), x, z)
@@ -88,6 +90,7 @@ def test_the_strip_lies_on_the_sand_and_on_the_water() -> None:
         assert (y > ground).all() and (y < ground + 0.01).all()
 
 
+@pytest.mark.seldom(3, first=2)
 def test_the_strip_goes_on_to_where_no_wave_wets_the_sand() -> None:
     # Cells of this beach are up to half as wide as waves reach.
     strip = run_up.joined(run_up.tiles(beach(slope=0.2)))
@@ -101,6 +104,7 @@ def test_the_strip_goes_on_to_where_no_wave_wets_the_sand() -> None:
         assert shown[along].max() > 0.9
 
 
+@pytest.mark.seldom(3, first=2)
 def test_foam_climbs_the_land_and_moves(stage: Stage, plain: Assets) -> None:
     def shown(kt: float, climbing: bool) -> np.ndarray:
         changes = {**WASH, "water.run_up": climbing}

@@ -45,7 +45,7 @@ def random_frames(film: Film, count: int) -> list[int]:
 
 
 @pytest.mark.parametrize("name", FLIGHTS)
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(12, first=4)
 def test_random_frames_in_random_order_are_the_same_in_a_fresh_and_in_a_used_process(
     name: str,
 ) -> None:
@@ -58,7 +58,7 @@ def test_random_frames_in_random_order_are_the_same_in_a_fresh_and_in_a_used_pro
 
 
 @pytest.mark.slow
-@pytest.mark.seldom(14)
+@pytest.mark.seldom(14, first=4)
 @pytest.mark.parametrize("name", FLIGHTS)
 def test_all_frames_are_the_same_forwards_backwards_and_in_other_processes(name: str) -> None:
     film = flight(name)

@@ -72,7 +72,7 @@ def graders() -> Iterator[dict[str, Grader]]:
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-@pytest.mark.sweep(3)
+@pytest.mark.sweep(14)
 def test_a_program_has_the_same_report_in_a_python_of_its_own(
     name: str, graders: dict[str, Grader], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -95,7 +95,7 @@ def test_a_program_has_the_same_report_in_a_python_of_its_own(
         (OPEN + "sum(range(10**13))\n", "late", sandbox.GRACE),
     ],
 )
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(12, first=5)
 def test_a_loop_is_ended_in_a_python_of_its_own(
     code: str,
     word: str,

@@ -52,7 +52,7 @@ def landscape(*arguments: str | Path) -> Done:
     return python(COMMAND, *map(str, arguments), env=environment(PYTHONPATH=path))
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=1)
 def test_a_scene_in_a_file_of_its_own_is_rendered(tmp_path: Path) -> None:
     for name, options in (
         ("a", ()),
@@ -68,14 +68,14 @@ def test_a_scene_in_a_file_of_its_own_is_rendered(tmp_path: Path) -> None:
     assert (pictures[1] != pictures[0]).any() and (pictures[2] != pictures[0]).any()
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13)
 def test_many_views_of_the_scene_are_rendered_by_several_processes(tmp_path: Path) -> None:
     done = landscape("render", *["board"] * 16, *["fig6a"], "--size", "16x12", "--out", tmp_path)
     assert (done.status, done.err) == (0, "")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["board.png", "fig6a.png"]
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=1)
 def test_the_scene_is_walked_on_the_null_platform(tmp_path: Path) -> None:
     record = tmp_path / "walk.jsonl"
     arguments = ("walk", "chessboard", "--backend", "osmesa", "--size", "64x48", "--frames", "3")
@@ -99,7 +99,7 @@ def test_the_scene_is_traced(tmp_path: Path) -> None:
     assert done.status == 2 and "squares" in done.err
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=12)
 def test_the_scene_is_measured_and_has_no_grass(tmp_path: Path) -> None:
     out = tmp_path / "bench.json"
     done = landscape("bench", "board", "--size", "32x24", "--json", out, "--quiet")
@@ -109,6 +109,7 @@ def test_the_scene_is_measured_and_has_no_grass(tmp_path: Path) -> None:
     assert figures["views"]["board"]["gl_calls"] > 300 and figures["startup_ms"] > 0
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_scene_is_listed_with_its_views_settings_and_elements() -> None:
     views = {view["name"]: view for view in landscape("views", "--json").json()}
     assert views["board"]["pose"] == [4.0, 1.1, 7.0, 0.0, -20.0]
@@ -150,6 +151,7 @@ def test_a_fix_is_a_view_that_shows_it_fixed() -> None:
         assert view.pose == fix.pose(True) and view.shown == fix.only
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_fix_is_drawn_by_its_name_as_in_its_second_picture() -> None:
     fix = next(fix for fix in FIXES if fix.name == "R14")
     pictures = []
@@ -256,6 +258,7 @@ def test_a_view_below_the_ground_of_another_island_is_raised_above_it() -> None:
         assert raised(pose, Hill(), 0.1) == pose
 
 
+@pytest.mark.seldom(7, first=1)
 def test_no_named_view_of_ours_is_below_the_ground() -> None:
     kind = scene("island")
     for view in kind.views.values():

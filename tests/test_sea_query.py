@@ -116,7 +116,7 @@ def offscreens() -> Iterator[tuple[Offscreen, Offscreen]]:
         yield asking, always
 
 
-@pytest.mark.seldom(10, first=5)
+@pytest.mark.seldom(14, first=11)
 @pytest.mark.slow
 def test_a_picture_does_not_depend_on_whether_the_sea_was_seen_before(offscreens) -> None:
     some, _ = offscreens
@@ -130,7 +130,7 @@ def test_a_picture_does_not_depend_on_whether_the_sea_was_seen_before(offscreens
     assert np.array_equal(*pictures)
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=10)
 @pytest.mark.slow
 def test_where_land_hides_the_sea_no_mirror_image_is_drawn(offscreens) -> None:
     counts = []

@@ -59,7 +59,7 @@ def test_a_step_is_a_twentieth_of_the_value_rounded_down_to_1_2_or_5(size, step)
     assert step_of(size) == pytest.approx(step, rel=1e-12)
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=7)
 @each("name", ROWS)
 def test_every_value_can_be_stepped_to_its_limits_and_stays_valid(name: str) -> None:
     row = ROWS[name]

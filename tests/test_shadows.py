@@ -185,7 +185,7 @@ def test_a_shade_much_wider_than_a_texel_looks_the_same_on_its_coarser_map(
     assert np.abs(lights[0] - lights[1]).max() < 0.03 and lights[0].min() < 0.65
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=7)
 def test_very_many_or_very_large_sprites_are_cast_within_little_memory() -> None:
     import tracemalloc
 

@@ -55,6 +55,7 @@ def test_what_is_drawn_above_the_water_has_the_colours_of_land(shape: str, smoot
     assert len(np.unique(texels)) == len(texels)
 
 
+@pytest.mark.seldom(3)
 def test_the_shipped_island_has_no_belt_of_sea_floor_on_its_cliffs(stage: Stage) -> None:
     settings = with_settings(preset("best"), {"ground.texture_size": 512, "ground.tiles": 1})
     ground = Terrain(settings, Assets(), direction(settings.sun))
@@ -78,7 +79,7 @@ def test_the_ground_of_2006_is_drawn_as_painted(stage: Stage, plain: Assets) -> 
     ground.release()
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=4)
 def test_the_colours_in_the_cache_are_those_of_the_heights_between_the_vertices(
     stage: Stage, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -71,7 +71,7 @@ def pages(site: Any, language: str, folder: Path) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(14, first=1)
 def test_each_page_that_a_page_lists_is_written(language: str, site: Any, tmp_path: Path) -> None:
     found = pages(site, language, tmp_path)
     listed = {"index"}
@@ -88,7 +88,7 @@ def test_each_page_that_a_page_lists_is_written(language: str, site: Any, tmp_pa
     assert listed == set(found)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=3)
 def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
     site: Any, tmp_path: Path
 ) -> None:
@@ -107,7 +107,7 @@ def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(8, first=5)
 def test_the_page_of_a_lesson_holds_its_whole_program(
     language: str, site: Any, tmp_path: Path
 ) -> None:
@@ -133,7 +133,7 @@ def test_the_theme_s_words_and_labels_are_translated(site: Any, tmp_path: Path) 
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(14, first=9)
 def test_the_page_of_an_exercise_has_two_pictures_its_task_and_its_lessons(
     language: str, site: Any, tmp_path: Path
 ) -> None:
@@ -154,7 +154,7 @@ def test_the_page_of_an_exercise_has_two_pictures_its_task_and_its_lessons(
 
 @pytest.mark.parametrize("name", VIEW_TEXTS)
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(14, first=9)
 def test_the_page_of_a_scene_shows_every_picture_and_a_slider_for_every_safeguard(
     language: str, name: str, site: Any, tmp_path: Path
 ) -> None:

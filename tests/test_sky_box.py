@@ -228,7 +228,7 @@ UP = Pose(20.0, 1.0, 20.0, 0.0, 10.0)
 OWN, FINE = (220, 90, 30), (30, 90, 220)
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=9)
 @pytest.mark.parametrize(
     ("name", "plain", "fine"), [("day", "", "fair_"), ("sunset", "sunset_", "dusk_")]
 )

@@ -39,7 +39,7 @@ def test_no_solution_is_in_the_package(target: str) -> None:
         assert folder / recorded.FILE not in left_out and folder / "start.py" not in left_out
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=2)
 @each("name", NAMES)
 def test_the_calls_are_those_of_the_solution_as_it_is(name: str) -> None:
     found = exercise(name)
@@ -49,7 +49,7 @@ def test_the_calls_are_those_of_the_solution_as_it_is(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sweep(9, first=2)
+@pytest.mark.sweep(14, first=10)
 def test_without_solutions_the_grader_draws_their_calls(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

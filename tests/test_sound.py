@@ -253,7 +253,7 @@ def test_fire_crackles() -> None:
     assert np.abs(hiss).max() < 13 * rms(hiss) < np.abs(crackle).max()
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=4)
 def test_loops_are_long_and_have_no_seam() -> None:
     room = place("hall")[0].room
     for name in (bank.SEA, bank.WIND, bank.FIRE, bank.DROPS, bank.AIR):
@@ -267,7 +267,7 @@ def test_loops_are_long_and_have_no_seam() -> None:
         assert np.abs(once.mean(axis=1)).max() < 1e-4
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=4)
 def test_the_hall_rings_as_sabine_has_it() -> None:
     room = Room(1000.0, 700.0, 0.1)
     assert room.seconds == pytest.approx(0.161 * 1000 / 70)
@@ -284,6 +284,7 @@ def test_the_hall_rings_as_sabine_has_it() -> None:
     assert -50.0 < decibels(rms(stood("hall", 1.6, 2.6, 2.0))) < -32.0
 
 
+@pytest.mark.seldom(5, first=3)
 def test_a_door_leads_from_one_sound_into_the_other_without_a_jump() -> None:
     score = Score()
     for k in range(20):

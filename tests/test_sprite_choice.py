@@ -44,7 +44,7 @@ def scattered(sprites: RefinedSprites, count: int = 300) -> None:
     put(sprites, places, rng.integers(0, 7, count), (0.5, 0.5))
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=6)
 def test_a_selection_reused_for_several_frames_shows_what_a_new_one_would(
     stage: Stage, sprites: RefinedSprites, monkeypatch: pytest.MonkeyPatch
 ) -> None:

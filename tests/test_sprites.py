@@ -177,6 +177,7 @@ def crowns_share(stage: Stage, sprites: RefinedSprites, pose: Pose) -> float:
     return float((np.abs(difference).max(axis=2) > 0).mean())
 
 
+@pytest.mark.seldom(5, first=4)
 def test_no_crown_hangs_over_a_walker_and_all_show_from_above(
     stage: Stage, sprites: RefinedSprites
 ) -> None:
@@ -315,6 +316,7 @@ def test_far_plants_are_single_quads(stage: Stage, sprites: RefinedSprites) -> N
     assert counts == [8, 5]
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.parametrize("flipped", [False, True])
 def test_a_trimmed_quad_shows_the_same_picture_in_less_area(
     stage: Stage, tmp_path, flipped: bool

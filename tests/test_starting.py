@@ -76,7 +76,7 @@ def test_ctrl_c_while_a_command_is_imported_ends_it_in_one_line(package: str, mo
     assert (done.returncode, done.stdout, done.stderr) == (130, "", f"{package}: interrupted\n")
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=7)
 @pytest.mark.posix_only("no shell there closes a stream")
 def test_a_program_is_traced_with_all_standard_streams_closed(tmp_path: Path) -> None:
     (tmp_path / "program.py").write_text(PROGRAM)

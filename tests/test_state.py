@@ -51,7 +51,7 @@ print(json.dumps([difference(DEFAULTS, found), raw.glGetError()]))
 """
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=4)
 @pytest.mark.parametrize("backend", ["osmesa", "egl", "null", "glfw", "bare"])
 def test_a_fresh_context_has_the_initial_values_of_the_specification(
     backend: str, request: pytest.FixtureRequest
@@ -90,7 +90,7 @@ print(len(initial))
 """
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=1)
 def test_an_older_opengl_has_fewer_variables_and_is_read_and_restored() -> None:
     """Mesa plays an older version by this variable; elsewhere it has no effect."""
     counts = []
@@ -121,6 +121,7 @@ except StateError as error:
 """
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.window
 def test_a_core_profile_is_refused(screen: dict[str, str]) -> None:  # noqa: F811
     done = python(CORE, env=screen)
@@ -142,7 +143,7 @@ def test_a_call_changes_the_variables_it_is_documented_to_change_and_no_others(
         assert set(difference(before, after)) <= set(expected)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=4)
 def test_every_variable_is_changed_by_some_call(fresh: Fresh) -> None:
     fresh()
     rng, seen = np.random.default_rng(2), set()

@@ -130,7 +130,7 @@ def on_blade(stage: Stage) -> tuple[slice, slice]:
     return slice(row - 2, row + 3), slice(column - 2, column + 3)
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=7)
 def test_the_steel_mirrors_what_is_around_as_the_walker_turns(
     stage: Stage, shipped: Assets
 ) -> None:

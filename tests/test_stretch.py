@@ -67,6 +67,7 @@ def test_a_frame_moves_its_pixel_to_the_middle_of_the_block(side: int) -> None:
         assert (x + 0.5 + right, y + 0.5 + up) == (side / 2, side / 2)
 
 
+@pytest.mark.seldom(10, first=4)
 @pytest.mark.parametrize(("size", "side"), [(SIZE, 2), ((97, 61), 2), ((128, 96), 4)])
 def test_interlaced_frames_add_up_to_the_picture_of_full_size(
     stage: Stage, stretch: Stretch, islands: dict[str, Island], size: tuple[int, int], side: int

@@ -97,13 +97,14 @@ def view(request: pytest.FixtureRequest) -> Seen:
     return request.getfixturevalue(request.param)
 
 
-@pytest.mark.sweep(2)
+@pytest.mark.sweep(12, first=11)
 def test_the_last_picture_is_the_frame_and_nothing_is_changed_by_looking(view: Seen) -> None:
     for by, last in view.last.items():
         assert np.array_equal(color(last), view.frame), by
     assert np.array_equal(view.replayed, view.frame)
 
 
+@pytest.mark.seldom(10, first=8)
 def test_layers_are_the_fragments_that_occlusion_queries_count(view: Seen) -> None:
     for by, last in view.last.items():
         layers = last.buffers["overdraw"]
@@ -309,7 +310,7 @@ def test_a_quad_of_a_display_list_is_split_as_it_was(taped: Callable[[Taped], Ta
 SMALL = ViewFrame("fig35e", SIZE, preset="2006", only=("ground", "sky", "trees"))
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10, first=2)
 def test_a_sheet_an_animation_and_a_page_show_every_step(tmp_path: Path) -> None:
     steps = ["clear", "ground", "sky", "trees"]
     buffers = ("color", "depth")
@@ -390,7 +391,7 @@ def test_a_frame_that_draws_nothing_has_no_steps(taped: Callable[[Taped], Tape])
     assert groups(taped(lambda: gl.glEnable(gl.GL_FOG)), "draw") == []
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=6)
 def test_the_command_writes_by_default_beside_the_user_and_refuses_what_it_does_not_know(
     tmp_path: Path,
 ) -> None:
@@ -410,7 +411,7 @@ def test_the_command_writes_by_default_beside_the_user_and_refuses_what_it_does_
     assert len(list(tmp_path.iterdir())) == 1
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=4)
 def test_osmesa_and_egl_give_the_same_sheet(tmp_path: Path) -> None:
     need_library("OSMesa", "EGL")
     common = ("--preset", "2006", "--only", "sky,trees", "--size", "80x60")

@@ -274,7 +274,7 @@ def test_a_file_that_is_compressed_missing_or_a_folder_is_refused(tmp_path: Path
             read(wrong)
 
 
-@pytest.mark.seldom(10, first=4)
+@pytest.mark.seldom(14, first=5)
 @pytest.mark.parametrize(
     "text",
     [

@@ -198,6 +198,7 @@ def test_flowers_keep_their_own_colour_and_green_cards_take_the_grounds(sow) -> 
     assert (green[:, 1] > green[:, 0]).mean() > 0.8
 
 
+@pytest.mark.seldom(3, first=1)
 def test_what_is_transparent_in_a_cards_picture_is_not_drawn(
     sow, stage: Stage, plain_folder: Path
 ) -> None:

@@ -19,7 +19,7 @@ from landscape.offscreen import Offscreen
 SIZE = (160, 120)
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=8)
 @pytest.mark.parametrize(("view", "preset"), [("fig35e", "2006"), ("fig35f", "best")])
 def test_a_view_is_drawn_from_its_tape_alone_by_a_new_context(view: str, preset: str) -> None:
     only = ("ground", "water", "reflection", "sky", "castle", "map", "fog")
@@ -57,7 +57,7 @@ def test_calls_made_again_are_listed_once_and_their_effects_are_seen_on_the_way(
     assert any(effect.redundant for effect in seen.values())
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=9)
 def test_the_tape_has_the_picture_that_is_rendered() -> None:
     wanted = ViewFrame("fig35e", SIZE, preset="2006").look(lambda tape: read_pixels(SIZE))
     with Offscreen(SIZE, "2006", samples=0) as offscreen:
@@ -80,7 +80,7 @@ def test_a_call_that_does_not_exist_is_refused_in_one_line_with_those_there_are(
     assert find(calls, f"{listed.number}.1").top is listed
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=12)
 def test_the_command_says_what_a_setting_changes() -> None:
     small = ("--preset", "2006", "--size", "160x120", "--only", "sky,fog")
     done = landscape("trace", "fig35a", *small, "--diff-set", "fog.density=0.3")

@@ -32,6 +32,7 @@ def noise(h: int, w: int, channels: int) -> np.ndarray:
     return np.random.default_rng(1).integers(0, 256, (h, w, channels), dtype=np.uint8)
 
 
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize(("h", "w"), [(6, 8), (3, 5), (5, 7)])
 @pytest.mark.parametrize("channels", [3, 4])
 def test_at_any_size_every_texel_lands_in_its_place_with_row_0_at_t_0(

@@ -195,7 +195,7 @@ def islands(request: pytest.FixtureRequest, the_stage: Stage) -> Iterator[list[I
 
 
 @pytest.mark.parametrize("element", LIT)
-@pytest.mark.sweep(12)
+@pytest.mark.seldom(14, first=2)
 def test_every_element_is_warmer_at_sunset(
     stage: Stage, islands: list[Island], element: str
 ) -> None:

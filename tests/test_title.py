@@ -109,6 +109,7 @@ def test_a_sign_says_how_many_rows_a_list_goes_on_for_and_leads_there() -> None:
     assert (np.abs(whole.image[top:end, : whole.width, :3].astype(int) - KEYS).max(2) > 40).all()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_picture_fills_windows_of_all_sizes(tmp_path: Path) -> None:
     path = tmp_path / "a.png"
     Image.new("RGB", (480, 270), (9, 9, 9)).save(path)
@@ -253,7 +254,7 @@ context.release()
 """
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=10)
 def test_escape_leads_back_to_the_title_and_the_walk_is_kept(tmp_path: Path) -> None:
     done = python(WALKS, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
     assert done.status == 0, done.err
@@ -309,7 +310,7 @@ print(json.dumps(seen))
 """
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=2)
 def test_who_leaves_while_a_scene_is_built_need_not_wait_until_it_is_there(tmp_path: Path) -> None:
     done = python(LEAVES, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
     assert done.status == 0, done.err
@@ -355,6 +356,7 @@ print(json.dumps([[look((200, 420), *each) for each in keys] for look in (shown,
 """
 
 
+@pytest.mark.seldom(5, first=4)
 def test_keys_and_preferences_in_the_title_fit_a_window_that_was_resized() -> None:
     done = python(RESIZED, env=environment(LANG="C", LANDSCAPE_CACHE=""))
     assert done.status == 0, done.err
@@ -392,6 +394,7 @@ print(json.dumps([heard, all(bool((pictures[0] == each).all()) for each in pictu
 """
 
 
+@pytest.mark.seldom(10, first=3)
 def test_captions_and_lists_are_not_in_the_picture_of_the_last_walk(tmp_path: Path) -> None:
     done = python(KEPT, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
     assert done.status == 0, done.err
@@ -426,6 +429,7 @@ print(json.dumps([name for name in sys.modules if name.startswith(late)]))
 """
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_walk_on_the_island_imports_no_other_scene_before_its_first_picture() -> None:
     command = [sys.executable, "-c", IMPORTED]  # a process of its own that has imported nothing
     done = subprocess.run(

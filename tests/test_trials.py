@@ -98,7 +98,7 @@ def failures(report: Report) -> dict[str, Hint]:
     return {result.test.key: result.hint for result in report.results if result.hint is not None}
 
 
-@pytest.mark.seldom(10, first=2)
+@pytest.mark.seldom(14, first=12)
 @pytest.mark.parametrize("mistake", WRONG)
 def test_a_mistake_that_no_announced_frame_shows_is_found_elsewhere(
     mistake: str, grader: Grader, tmp_path: Path
@@ -111,7 +111,7 @@ def test_a_mistake_that_no_announced_frame_shows_is_found_elsewhere(
     assert failed.hint is not None and words in failed.hint.written(str)
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=6)
 @pytest.mark.parametrize("way", OTHERWISE)
 def test_another_way_to_a_right_picture_passes(way: str, grader: Grader, tmp_path: Path) -> None:
     name, changes, tests = OTHERWISE[way]
@@ -122,7 +122,7 @@ def test_another_way_to_a_right_picture_passes(way: str, grader: Grader, tmp_pat
     assert text.count("in another way") == len(tests)
 
 
-@pytest.mark.seldom(3)
+@pytest.mark.seldom(7, first=3)
 def test_rounding_that_grows_with_each_key_is_allowed_for(tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     folder = exercise("bezier_path").folder
@@ -138,7 +138,7 @@ def test_state_that_is_set_in_a_display_list_is_not_told_of(grader: Grader, tmp_
     assert failures(report) and all(hint.text == UNFOLLOWED for hint in failures(report).values())
 
 
-@pytest.mark.seldom(10, first=6)
+@pytest.mark.seldom(14, first=7)
 def test_what_the_task_names_is_asked_for_though_the_picture_is_right(
     grader: Grader, tmp_path: Path
 ) -> None:

@@ -76,7 +76,7 @@ def test_the_sun_under_water_is_bent_towards_the_zenith_by_snell_s_law() -> None
     assert sun[0] == pytest.approx(INDEX * below[0]) and below[1] > sun[1]
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=6)
 def test_the_net_of_light_lies_on_bed_and_dragon_and_keeps_their_mean(
     stage: Stage, islands: dict[bool, Island]
 ) -> None:
@@ -98,6 +98,7 @@ def test_level_water_mirrors_a_line_of_sight_and_a_tilted_facet_turns_it_by_twic
     assert np.degrees(np.arccos(tilted[0, 1])) == pytest.approx(180.0 - 60.0 + 2 * 5.0)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_far_bed_is_lost_in_the_water_and_the_surface_is_not(
     stage: Stage, islands: dict[bool, Island]
 ) -> None:

@@ -50,7 +50,7 @@ def picture(stage: Stage, opened: list[Voxel], safeguard: Safeguard, after: bool
 
 
 @pytest.mark.parametrize("safeguard", SAFEGUARDS, ids=lambda each: each.name)
-@pytest.mark.sweep(12)
+@pytest.mark.sweep(12, first=11)
 def test_a_safeguard_s_two_pictures_differ(
     stage: Stage, opened: list[Voxel], safeguard: Safeguard
 ) -> None:

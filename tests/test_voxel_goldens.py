@@ -48,7 +48,7 @@ def draw(
     return np.asarray(reduced, np.uint8)
 
 
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(12, first=5)
 @pytest.mark.parametrize("name", list(SCENE.views))
 def test_a_view_of_the_voxel_island_matches_its_golden_picture(
     stage: Stage, island: Voxel, request: pytest.FixtureRequest, name: str

@@ -48,7 +48,7 @@ def test_a_glossy_tile_is_grey_and_as_bright_as_its_gloss() -> None:
     assert max(GLOSS.values()) <= 1.0
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=9)
 def test_highlights_only_add_light_and_only_where_the_sun_is_mirrored() -> None:
     off, on, twice = (drawn(strength) for strength in (0.0, 1.0, 2.0))
     assert (on >= off).all() and (on - off).max() > 4
@@ -57,7 +57,7 @@ def test_highlights_only_add_light_and_only_where_the_sun_is_mirrored() -> None:
     assert (drawn(2.0, away) - drawn(0.0, away)).sum() < 0.2 * (twice - off).sum()
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=9)
 def test_there_are_no_highlights_in_shadow() -> None:
     size = {"shadow__size": 1024, "shadow__distance": 8.0}
     lit = drawn(2.0, shadow__enabled=False) - drawn(0.0, shadow__enabled=False)

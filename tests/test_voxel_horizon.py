@@ -90,7 +90,7 @@ def test_a_changed_column_counts_as_it_is_now() -> None:
     np.testing.assert_array_equal(horizon.hidden(*eye), again.hidden(*eye))
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=3)
 def test_one_sees_through_a_gap_that_was_dug_into_a_ridge() -> None:
     """The picture with what hills hide left out equals that with all of it, before and after."""
     small = {"voxel.regions": 5, "voxel.region_size": 20, "shadow.enabled": False}

@@ -119,7 +119,7 @@ def test_glints_have_the_colour_of_the_sun_as_bright_as_can_be() -> None:
     assert glint_colour((0.0, 0.0, 0.0)) == (0.0, 0.0, 0.0)
 
 
-@pytest.mark.seldom(10, first=8)
+@pytest.mark.seldom(14, first=4)
 @pytest.mark.parametrize("diffuse", [(1.0, 0.6, 0.2), (0.3, 0.5, 1.0)])
 def test_the_water_glitters_in_the_colour_of_the_sun(diffuse: tuple[float, ...]) -> None:
     given = {"voxel.regions": 6, "voxel.region_size": 20, "shadow.enabled": False}
@@ -163,6 +163,7 @@ def shore() -> Iterator[Offscreen]:
         yield view
 
 
+@pytest.mark.seldom(3)
 def test_what_is_mirrored_goes_on_a_little_below_the_water(shore: Offscreen) -> None:
     with shore._current(), recording() as recorder:
         shore.draw()
@@ -172,6 +173,7 @@ def test_what_is_mirrored_goes_on_a_little_below_the_water(shore: Offscreen) -> 
     assert heights == pytest.approx([level, level - MIRRORED_BELOW * block_size])
 
 
+@pytest.mark.seldom(3)
 def test_land_is_drawn_with_the_alpha_test_only_where_leaves_have_holes(shore: Offscreen) -> None:
     def tested() -> bool:
         with shore._current(), recording() as recorder:
@@ -186,7 +188,7 @@ def test_land_is_drawn_with_the_alpha_test_only_where_leaves_have_holes(shore: O
     assert not tested()
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=3)
 def test_another_time_of_day_is_applied_to_the_open_island_and_looks_as_if_opened_in_it(
     stage: Stage,
 ) -> None:

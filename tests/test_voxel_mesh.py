@@ -413,6 +413,7 @@ def test_the_ground_is_sorted_by_height_and_then_by_slope() -> None:
     assert BLOCKS[top_materials(steep, 10, np.random.default_rng(0))[40, 100]].name == "rock"
 
 
+@pytest.mark.seldom(3, first=1)
 def test_materials_are_in_the_same_places_on_a_larger_and_on_a_higher_land() -> None:
     """Of a hill with a beach, meadows, cliffs and snow, whatever its columns and levels."""
     at = np.linspace(-1.0, 1.0, 256)

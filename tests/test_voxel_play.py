@@ -83,7 +83,7 @@ def is_inside(blocks: np.ndarray, body: Body) -> bool:
     return False
 
 
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(5, first=4)
 @pytest.mark.parametrize("seed", range(6))
 def test_a_body_is_never_inside_a_solid_block_in_any_world_at_any_speed(seed: int) -> None:
     rng = np.random.default_rng(seed)
@@ -103,6 +103,7 @@ def test_a_body_is_never_inside_a_solid_block_in_any_world_at_any_speed(seed: in
             assert not SOLID[blocks[math.floor(body.x), math.floor(body.z), eye]], body
 
 
+@pytest.mark.seldom(3, first=1)
 @pytest.mark.parametrize("speed", [1.0, 30.0, 1e5])
 @pytest.mark.parametrize("seconds", [0.001, 1 / 30, 1.0])
 def test_a_wall_stops_a_body_whatever_its_speed_and_the_frame_s_length(
@@ -321,7 +322,7 @@ def unit_faces(mesh: RegionMesh, sea: int) -> dict[tuple, tuple]:
     return found
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=3)
 def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
     rng = np.random.default_rng(5)
     side, size = 20, 10
@@ -354,7 +355,7 @@ def test_after_any_changes_a_mesh_has_the_faces_of_one_made_anew() -> None:
     )
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=3)
 def test_after_two_frames_meshes_for_far_and_shadows_are_those_of_a_scene_made_anew() -> None:
     values = {"voxel.regions": 2, "voxel.region_size": 16, "shadow.size": 512, "voxel.cull": False}
     with Offscreen((96, 72), None, values, "auto", 0, place="voxel") as drawn:
@@ -488,7 +489,7 @@ while True:
 """
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=4)
 def test_a_world_being_saved_when_the_program_is_killed_is_never_lost(tmp_path: Path) -> None:
     path = tmp_path / "my.world"
     words = [sys.executable, "-c", SAVING, str(path)]
@@ -512,7 +513,7 @@ def played(regions: int, region_size: int) -> Iterator[Any]:
             yield drawn.scene
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=3)
 def test_a_saved_world_is_for_the_same_columns_however_they_are_divided_into_regions() -> None:
     with played(2, 20) as one:
         one.land.change({(19, 20, 5): block("lamp"), (20, 20, 5): AIR})
@@ -576,7 +577,7 @@ def test_two_walks_with_one_file_keep_what_both_have_changed(tmp_path: Path) -> 
         assert {each.name for each in tmp_path.iterdir()} == {"my.world", "my-0001.world"}
 
 
-@pytest.mark.seldom(4, first=3)
+@pytest.mark.seldom(10)
 @pytest.mark.parametrize("content", [b"", b"notes", None])
 def test_a_world_file_that_became_something_else_in_the_meantime_is_not_overwritten(
     tmp_path: Path, content: bytes | None
@@ -600,7 +601,7 @@ def test_a_world_file_that_became_something_else_in_the_meantime_is_not_overwrit
         assert (tmp_path / "my-0001.world").read_bytes() == scene.saved()
 
 
-@pytest.mark.seldom(8)
+@pytest.mark.seldom(14, first=13)
 def test_hundreds_of_thousands_of_changed_blocks_are_restored_within_the_bounds() -> None:
     with played(4, 40) as scene:
         world = scene.land.world
@@ -720,6 +721,7 @@ def walked(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     return done.json() | {"folder": folder}
 
 
+@pytest.mark.seldom(7, first=1)
 def test_a_drag_looks_and_a_click_digs_places_or_picks(walked: dict[str, Any]) -> None:
     changes, slots, yaws, strokes, _, _ = zip(*walked["live"], strict=True)
     assert changes[13] == 0 and yaws[13] == pytest.approx(40 + 20 * 0.12), "the drag dug nothing"
@@ -731,6 +733,7 @@ def test_a_drag_looks_and_a_click_digs_places_or_picks(walked: dict[str, Any]) -
     assert len(set(changes[38:])) == 1
 
 
+@pytest.mark.seldom(7, first=1)
 def test_a_replay_digs_and_builds_the_same(walked: dict[str, Any]) -> None:
     assert "the world is saved" in [message for *_, message in walked["live"]]
     assert walked["again"] and walked["same"]
@@ -757,14 +760,14 @@ def render(folder: Path, name: str, *words: str) -> np.ndarray:
     return np.asarray(Image.open(folder / name)).astype(int)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(7, first=1)
 def test_a_saved_world_is_rendered_with_its_changes(walked: dict[str, Any]) -> None:
     folder = walked["folder"]
     with_it = render(folder, "a.png", "--world", str(folder / "my.world"))
     assert (np.abs(with_it - render(folder, "b.png")).max(axis=-1) > 8).sum() > 20
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13, first=10)
 @pytest.mark.parametrize("view", ["voxel", "island"])
 def test_a_walk_refuses_what_is_no_world_and_leaves_it_alone(view: str, tmp_path: Path) -> None:
     path = tmp_path / "notes.txt"

@@ -112,7 +112,7 @@ def test_meshes_are_lit_anew_where_they_lie_and_given_back_as_they_were_made(
         buffer.release()
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=4)
 def test_without_shadows_faces_are_lit_as_if_there_were_none(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -163,7 +163,7 @@ ODD: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.sweep(4, first=2)
+@pytest.mark.sweep(8, first=5)
 @pytest.mark.parametrize("name", ODD)
 def test_an_odd_world_is_drawn_without_a_word(
     stage: Stage, name: str, recwarn: pytest.WarningsRecorder, capsys: pytest.CaptureFixture[str]
@@ -189,7 +189,7 @@ POSES = {
 }
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=4)
 def test_odd_places_are_drawn_without_a_word(
     stage: Stage, recwarn: pytest.WarningsRecorder, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -217,7 +217,7 @@ DRAWN: dict[str, tuple[set[str], dict[str, Any]]] = {
 }
 
 
-@pytest.mark.sweep(3, first=2)
+@pytest.mark.sweep(12, first=10)
 @pytest.mark.parametrize("name", DRAWN)
 def test_every_pass_leaves_the_state_as_a_frame_without_it_does(stage: Stage, name: str) -> None:
     shown, changed = DRAWN[name]
@@ -237,7 +237,7 @@ def test_every_pass_leaves_the_state_as_a_frame_without_it_does(stage: Stage, na
     assert not found
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=4)
 def test_a_large_world_whose_meshes_are_packed_looks_like_a_small_one(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -284,7 +284,7 @@ def test_a_packed_mesh_takes_a_fifth_of_its_vertices_and_is_unpacked_as_it_was()
         np.testing.assert_array_equal(again.vertices, mesh.vertices)
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=5)
 def test_a_region_and_a_land_that_do_not_fit_in_memory_are_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -301,6 +301,7 @@ def test_a_region_and_a_land_that_do_not_fit_in_memory_are_refused(
         drawn.draw()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_of_a_land_that_is_refused_no_more_is_meshed_and_nothing_twice(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -55,7 +55,7 @@ def moved_by(step: np.ndarray, update: Any) -> Any:
     return lambda eye, *rest: update(eye + step, *rest)
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=9)
 def test_edges_of_shadows_stay_where_they_are_while_the_eye_moves() -> None:
     pictures = {}
     for snapped in (True, False):
@@ -81,7 +81,7 @@ def in_light(solid: np.ndarray, point: np.ndarray, towards: np.ndarray) -> bool:
     return not solid[tuple(cells[within].T)].any()
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=9)
 def test_shadows_lie_where_rays_to_the_sun_meet_blocks() -> None:
     """Overlap of the shadow seen from above with that of rays: over 0.97 of both together."""
     given = {"shadow__size": 4096, "shadow__distance": 7.0, "voxel__levels": 30}
@@ -125,7 +125,7 @@ def test_shadows_lie_where_rays_to_the_sun_meet_blocks() -> None:
     assert (dark & shown).sum() / (dark | shown).sum() > 0.97
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=2)
 def test_without_the_offset_faces_shade_themselves() -> None:
     share = {}
     for offset in (True, False):
@@ -134,7 +134,7 @@ def test_without_the_offset_faces_shade_themselves() -> None:
     assert share[False] > share[True] + 0.08
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=2)
 @pytest.mark.parametrize("far", [False, True])
 def test_shadows_are_drawn_again_only_when_the_eye_has_left_or_a_block_has_changed(
     far: bool,
@@ -155,7 +155,7 @@ def test_shadows_are_drawn_again_only_when_the_eye_has_left_or_a_block_has_chang
         assert sent == [1] * 2 * (1 + far)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13)
 def test_far_from_the_eye_land_is_shaded_by_the_coarser_picture_near_it_by_the_fine_one() -> None:
     near_only = {"shadow__distance": 5.0, "shadow__size": 1024, "shadow__color": (0.0, 0.0, 0.0)}
     with opened(**near_only, shadow__far=False) as view:
@@ -218,6 +218,7 @@ def test_a_walk_that_jumps_far_has_its_shadows_at_once() -> None:
         assert len(sent) == 1
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_block_that_changes_while_the_next_depths_are_drawn_has_its_shadow_before_and_after() -> (
     None
 ):

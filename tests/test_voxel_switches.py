@@ -33,7 +33,7 @@ def read(view: Offscreen, name: str) -> np.ndarray:
         return read_target(getattr(view.scene.water.images, name))
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=2)
 def test_without_reflection_the_water_mirrors_the_sky_alone() -> None:
     with opened() as view:
         whole = read(view, "reflection")
@@ -44,7 +44,7 @@ def test_without_reflection_the_water_mirrors_the_sky_alone() -> None:
     assert (without == sky).all() and (whole != sky).any(axis=-1).mean() > 0.02
 
 
-@pytest.mark.seldom(6, first=2)
+@pytest.mark.seldom(13)
 @pytest.mark.parametrize("height", [0.9, 1.6, 4.0])
 def test_the_sky_in_the_water_is_the_sky_upside_down(height: float) -> None:
     pose = (4.8, height, 4.8, 30.0, 0.0)
@@ -57,7 +57,7 @@ def test_the_sky_in_the_water_is_the_sky_upside_down(height: float) -> None:
     assert np.abs(mirrored[::-1] - sky).max() <= 2
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=2)
 def test_without_refraction_the_water_has_its_own_colour_all_over() -> None:
     with opened(SEA_POSE, water__color=(0.2, 0.4, 0.6)) as view:
         assert len(np.unique(read(view, "refraction").reshape(-1, 3), axis=0)) > 20
@@ -74,7 +74,7 @@ def test_water_that_does_not_mirror_by_angle_mirrors_as_much_in_all_directions()
     )
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=2)
 @pytest.mark.parametrize("name", PICTURES)
 def test_a_pass_s_texture_can_be_seen_alone(name: str) -> None:
     with opened(shadow__enabled=True, shadow__size=128, debug__picture=name) as view:
@@ -111,7 +111,7 @@ def test_textures_that_are_shown_are_those_of_the_frame_whatever_was_seen_before
     assert (after[0] == alone).all() and (after[1] == alone).all()
 
 
-@pytest.mark.seldom(8, first=5)
+@pytest.mark.seldom(14, first=2)
 @pytest.mark.parametrize("objects", [False, True])
 @pytest.mark.parametrize("buffers", ["one", "regions"])
 def test_the_picture_is_the_same_from_one_buffer_or_from_one_a_region(
@@ -134,7 +134,7 @@ def test_the_picture_is_the_same_from_one_buffer_or_from_one_a_region(
     assert (sent <= 6) if buffers == "one" else (6 < sent <= 6 * regions)
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=2)
 def test_edges_are_drawn_in_black_and_merging_leaves_fewer_of_them() -> None:
     black, plain = {}, {"voxel__occlusion": False, "voxel__trees": False}
     for merge in ("none", "rectangles"):
@@ -148,6 +148,7 @@ def test_edges_are_drawn_in_black_and_merging_leaves_fewer_of_them() -> None:
     assert black["none"] > 1.3 * black["rectangles"] > 100
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_setting_that_meshes_do_not_depend_on_builds_nothing_again() -> None:
     with opened(shadow__enabled=True, shadow__size=128) as view:
         view.draw()

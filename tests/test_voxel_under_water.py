@@ -95,7 +95,7 @@ def test_the_surface_mirrors_the_bed_upside_down() -> None:
     assert len(np.unique(picture[:30].reshape(-1, 3), axis=0)) > 50
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=5)
 def test_without_the_setting_an_eye_under_water_sees_the_surface_as_from_above() -> None:
     with opened(BED, water__below=False) as view:
         off = view.draw()
@@ -108,7 +108,7 @@ def test_without_the_setting_an_eye_under_water_sees_the_surface_as_from_above()
         assert not view.scene._under
 
 
-@pytest.mark.seldom(6, first=4)
+@pytest.mark.seldom(13, first=11)
 @pytest.mark.parametrize("pose", [(0.5, 0.45, 0.5, 135.0, -70.0), (0.5, 0.25, 0.5, 135.0, -50.0)])
 def test_the_block_aimed_at_under_water_is_framed(pose: tuple[float, ...]) -> None:
     with opened(pose, "highlight", voxel__sea=4) as view:  # shallow

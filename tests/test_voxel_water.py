@@ -72,6 +72,7 @@ def fill(images: Any, name: str, colour: tuple[float, float, float]) -> Any:
     return drawn
 
 
+@pytest.mark.seldom(5, first=3)
 def test_reflection_and_refraction_are_mixed_by_fresnels_term_at_every_pixel() -> None:
     mirrored, under = (0.9, 0.3, 0.1), (0.05, 0.4, 0.8)
     with opened() as view:
@@ -89,6 +90,7 @@ def test_reflection_and_refraction_are_mixed_by_fresnels_term_at_every_pixel() -
     assert np.abs(picture - expected)[water].max() <= 2.0
 
 
+@pytest.mark.seldom(3)
 def test_the_water_mirrors_what_a_mirrored_camera_sees() -> None:
     with opened() as view:
         view.look((4.8, 0.95, 9.3, 0.0, -2.0))
@@ -120,6 +122,7 @@ def read_target(target: Any) -> np.ndarray:
     return np.frombuffer(data, np.uint8).reshape(height, width, 3)[::-1].astype(float)
 
 
+@pytest.mark.seldom(5, first=3)
 def test_the_ground_darkens_with_its_depth_as_the_linear_fog_says() -> None:
     colours = {}
     for clear in (1e3, 6.0):
@@ -158,7 +161,7 @@ def test_walters_model_bends_lines_of_sight_by_snells_law() -> None:
     assert (refracted(points, ways, away, -depth, 0.0, 1.0) == points).all()  # on land
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=1)
 def test_from_straight_above_both_refractions_show_the_same() -> None:
     pictures = []
     for bending in ("flat", "walter"):
@@ -261,6 +264,7 @@ def test_no_picture_of_the_water_is_drawn_where_none_is_in_view() -> None:
         assert calls == []
 
 
+@pytest.mark.seldom(3)
 def test_a_window_of_another_size_gets_pictures_of_another_size() -> None:
     with opened(water__resolution=0.5) as view:
         view.draw()

@@ -120,7 +120,7 @@ def test_the_window_flies_along_the_path_and_walks_on_from_there(tmp_path: Path)
     assert 0.1 < steps[5] < 1, "the walker's own step begins where the flight was left"
 
 
-@pytest.mark.sweep(2, first=1)
+@pytest.mark.sweep(2)
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
@@ -139,7 +139,7 @@ def test_a_path_that_cannot_be_flown_is_refused(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=1)
 def test_the_command_flies_along_a_path() -> None:
     words = ["fig35a", "--path", "canyon", "--size", "64x48", "--only", "ground", "--frames", "2"]
     words += ["--set=ground.texture_size=256", "--set=ground.stones=500"]

@@ -125,6 +125,7 @@ def test_the_sides_are_left_and_right_of_the_line_of_sight():
     assert south.z > 20.8
 
 
+@pytest.mark.seldom(3)
 @pytest.mark.parametrize("yaw", [0, 45, 90, 135, 180, 225, 270, 315])
 @pytest.mark.parametrize("flying", [False, True])
 def test_nobody_leaves_the_map(yaw, flying):
@@ -160,7 +161,7 @@ def test_the_obstacles_stand_where_opengl_draws_the_walls():
     assert min(o.gap(CASTLE.x, CASTLE.z)[0] for o in obstacles) == pytest.approx(0.5 - 0.045)
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=3)
 @pytest.mark.parametrize("inside", [False, True])
 def test_no_random_walk_crosses_a_wall(inside):
     obstacles, field = castle_obstacles(CASTLE, BASE), flat(BASE)
@@ -266,7 +267,7 @@ def test_flight_follows_the_line_of_sight_both_ways_and_up():
     assert moved == pytest.approx(reach)
 
 
-@pytest.mark.seldom(6, first=5)
+@pytest.mark.seldom(13, first=2)
 def test_no_random_flight_enters_the_ground_the_water_or_the_castle():
     field, obstacles = hills(3), castle_obstacles(CASTLE, 2.0)
     rng = np.random.default_rng(5)
@@ -363,6 +364,7 @@ def test_a_stroke_is_not_restarted_while_it_runs():
     assert seen == sorted(seen[: seen.index(0)]) + [0] * (len(seen) - seen.index(0))
 
 
+@pytest.mark.seldom(3)
 def test_the_walker_needs_no_opengl():
     code = (
         "import sys, landscape.walk.walker;"
@@ -424,6 +426,7 @@ def test_a_walker_wades_until_he_swims_with_his_eye_just_above_the_water():
     assert walker.swimming
 
 
+@pytest.mark.seldom(3)
 def test_an_eye_in_the_water_never_jumps():
     heights = np.array([walker.y for walker in into_the_sea(600)])
     assert np.abs(np.diff(heights)).max() < 0.003
@@ -435,6 +438,7 @@ def test_an_eye_in_the_water_never_jumps():
     assert max(rise) - min(rise) == pytest.approx(2 * RIPPLE, rel=0.02), "a swimmer bobs"
 
 
+@pytest.mark.seldom(5, first=4)
 def test_a_swimmer_is_half_as_fast_at_any_frame_rate():
     far, swum = into_the_sea()[-1], []
     for frames in (2, 30, 240):

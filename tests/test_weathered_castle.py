@@ -173,7 +173,7 @@ def test_the_finer_light_map_has_the_coarse_one_s_light_at_every_second_texel() 
     assert np.allclose(fine[1, 1], coarse[:2, :2].mean(axis=(0, 1)))
 
 
-@pytest.mark.seldom(8, first=2)
+@pytest.mark.seldom(14)
 def test_every_vertex_finds_its_own_weathered_light() -> None:
     mesh, strips = ornate_masonry(3.0)
     picture, coordinates = weathering.worn_light_map(mesh, strips, Sun(), -160.0, 0.0)
@@ -246,6 +246,7 @@ def hall_from_afar(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ornate_castle, "HALL_PIXELS", 0.0)
 
 
+@pytest.mark.seldom(10, first=5)
 @pytest.mark.usefixtures("hall_from_afar")
 def test_through_the_door_one_sees_deeper_parts_move_less(stage: Stage, shipped: Assets) -> None:
     """Of the rose window, which is white and far away, as the eye goes aside."""
@@ -263,6 +264,7 @@ def test_through_the_door_one_sees_deeper_parts_move_less(stage: Stage, shipped:
     assert abs(column[1] - column[0]) > 0.1, "the window at the end is seen elsewhere"
 
 
+@pytest.mark.seldom(7)
 @pytest.mark.usefixtures("hall_from_afar")
 def test_depth_and_stencil_are_as_if_the_door_were_a_wall(stage: Stage, plain: Assets) -> None:
     found = []
@@ -300,7 +302,7 @@ def test_the_disc_is_dark_at_its_edge_and_the_patch_where_it_ends() -> None:
         assert (vertices[:, 2] < 0.01).all()
 
 
-@pytest.mark.seldom(6)
+@pytest.mark.seldom(13, first=7)
 def test_the_glow_brightens_what_is_round_a_flame(stage: Stage, plain: Assets) -> None:
     keys = {"castle__ornate": True, "castle__torches": 1.0}
     dull, bright = (drawn(stage, plain, castle__glow=glow, **keys) for glow in (0.01, 0.8))
@@ -318,7 +320,7 @@ def test_the_grain_is_mid_grey_on_average_at_every_mip_level_and_repeats() -> No
     assert seam < 1.3 * np.abs(np.diff(image, axis=0)).mean()
 
 
-@pytest.mark.seldom(8, first=2)
+@pytest.mark.seldom(14)
 def test_the_grain_changes_the_walls_close_by_and_not_their_mean(
     stage: Stage, plain: Assets
 ) -> None:
@@ -342,6 +344,7 @@ def test_the_grain_changes_the_walls_close_by_and_not_their_mean(
 # The castle itself.
 
 
+@pytest.mark.seldom(10, first=5)
 def test_details_are_left_out_from_afar_and_in_the_mirror(stage: Stage, plain: Assets) -> None:
     settings = small({**PLACED, "castle.ornate": True, "castle.weathered": True})
     castle = WeatheredCastle(settings, plain, FLAT)
@@ -365,6 +368,7 @@ def test_a_few_windows_are_lit_brighter_at_dusk_and_no_loophole() -> None:
     assert day[~lit].max() < 0.1
 
 
+@pytest.mark.seldom(3, first=2)
 def test_what_lies_on_the_ground_is_the_same_from_the_cache(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

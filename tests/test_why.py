@@ -37,7 +37,7 @@ def why(path: Path, frame: int = 0, pixel: tuple[int, int] | None = None) -> dic
     return json.loads(done.stdout.splitlines()[-1])
 
 
-@pytest.mark.sweep(12)
+@pytest.mark.sweep(14, first=4)
 @pytest.mark.parametrize("name", BROKEN)
 def test_the_mistake_is_named_and_its_absence_too(name, tmp_path):
     case = BROKEN[name]
@@ -50,7 +50,7 @@ def test_the_mistake_is_named_and_its_absence_too(name, tmp_path):
     assert why(tmp_path / "mended.py", case.frame, case.pixel)["causes"] == []
 
 
-@pytest.mark.seldom(10)
+@pytest.mark.seldom(14, first=9)
 @pytest.mark.parametrize("name", RIGHT)
 def test_what_is_meant_is_not_blamed(name, tmp_path):
     case = RIGHT[name]

@@ -49,7 +49,7 @@ def part(lines: list[str], kept: str, left_out: str) -> str:
 
 
 @pytest.mark.posix_only("its tests have no GLUT")
-@pytest.mark.sweep(14, first=3)
+@pytest.mark.sweep(14)
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
 def test_the_mistake_of_a_student_is_named_and_its_absence_too(path, display, tmp_path):
     first, *lines = path.read_text(encoding="utf-8").splitlines()
@@ -85,7 +85,7 @@ def broken_program(path: Path, folder: Path) -> tuple[Path, str]:
 
 
 @pytest.mark.posix_only("its tests have no GLUT")
-@pytest.mark.sweep(4, first=1)
+@pytest.mark.sweep(14)
 @pytest.mark.parametrize("number", range(11))
 def test_the_answers_on_the_page_are_those_of_the_tool(number, display, tmp_path):
     told = blocks(PAGE.read_text(encoding="utf-8"))

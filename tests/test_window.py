@@ -23,6 +23,7 @@ import pytest
 from commands import SECONDS, TESTS, end, environment, landscape, need_library, python, running
 from PIL import Image
 from stage import SMALL_BEST
+from sweeps import Todays
 
 from landscape.elements.settings import preset
 from landscape.files.assets import Assets
@@ -96,8 +97,8 @@ def capture(walk):
 def move(x, y): return lambda walk: walk.hands.motion(x, y)
 
 path, changes = Path(sys.argv[1]), json.loads(sys.argv[2])
-plan = Plan("island", with_settings(preset("best"), changes), "", Pose(20.0, None, 30.0, 190.0),
-            (160, 120), 20.0, 2006)
+values = with_settings(preset(sys.argv[4]), changes)
+plan = Plan("island", values, "", Pose(20.0, None, 30.0, 190.0), (160, 120), 20.0, 2006)
 live = Watched(plan, Assets(), "osmesa")
 live.seen, live.script = [], {
     2: [press(glfw.KEY_W, glfw.KEY_E)], 4: [size(97, 61)], 6: [size(1, 1)], 7: [size(160, 120)],
@@ -129,11 +130,16 @@ print(json.dumps({"live": live.seen, "again": again.seen, "drawn": drawn, "reste
 
 
 @pytest.fixture(scope="module")
-def scripted(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """Two walks on the null platform: a scripted one, and its replay."""
+def scripted(tmp_path_factory: pytest.TempPathFactory, todays: Todays) -> dict[str, Any]:
+    """Two walks on the null platform: a scripted one, and its replay.
+
+    The preset best takes longer, and is walked on every fifth day.
+    """
+    name = todays(["best", *["2006"] * 4], 5)[0]
     folder = tmp_path_factory.mktemp("scripted")
     code = f"import os; os.chdir({str(folder)!r})\n{SCRIPTED}"
-    words = (str(folder / "a.jsonl"), json.dumps(SMALL_BEST), str(TESTS))
+    changes = SMALL_BEST | {"walk.mouse_relative": True}
+    words = (str(folder / "a.jsonl"), json.dumps(changes), str(TESTS), name)
     done = python(code, *words, env=environment(LANG="C"))
     assert done.status == 0, done.err
     plan, ticks = recording.read(folder / "a.jsonl")
@@ -215,7 +221,8 @@ def test_every_switch_changes_the_picture(scripted) -> None:
 def test_settings_changed_in_the_list_are_recorded_by_their_values(scripted) -> None:
     first, second = scripted["ticks"][27:29]
     assert (first.row, first.changes) == ("camera.fov", {"camera.fov": 62.0})
-    assert (second.row, second.changes) == ("camera.cull", {"camera.cull": False})
+    cull = not scripted["plan"].settings.camera.cull
+    assert (second.row, second.changes) == ("camera.cull", {"camera.cull": cull})
     hashes = [frame["hash"] for frame in scripted["live"]]
     assert len(set(hashes[26:29])) == 3
 
@@ -266,7 +273,7 @@ print(json.dumps([hint, seen]))
 """
 
 
-@pytest.mark.seldom(10, first=5)
+@pytest.mark.seldom(14, first=1)
 def test_each_switch_has_an_effect_reports_it_and_undoes_it() -> None:
     done = python(STILLS, json.dumps(SMALL_BEST), env=environment())
     assert done.status == 0, done.err
@@ -321,6 +328,7 @@ print(json.dumps(said))
 """
 
 
+@pytest.mark.seldom(7, first=2)
 def test_deep_water_and_the_edge_of_the_map_are_said() -> None:
     done = python(HEARD, env=environment())
     assert done.status == 0, done.err
@@ -337,7 +345,7 @@ def test_a_replay_gives_the_same_pixels_and_poses_in_every_frame(scripted) -> No
     assert scripted["again"] == scripted["live"]
 
 
-@pytest.mark.seldom(8, first=4)
+@pytest.mark.seldom(14, first=6)
 def test_a_replay_from_the_command_line_records_itself_again(scripted, tmp_path: Path) -> None:
     first, second = scripted["folder"] / "a.jsonl", tmp_path / "b.jsonl"
     done = landscape("walk", "--backend", "osmesa", "--replay", first, "--record", second)
@@ -357,6 +365,7 @@ def short_walk(path: Path, ticks: list[Tick]) -> Path:
     return path
 
 
+@pytest.mark.seldom(3)
 def test_a_replay_keeps_to_the_size_that_is_asked_for(tmp_path: Path) -> None:
     intents = [Intent(forward=1.0), Intent(turn=1.0), Intent(run=True), Intent()] * 4
     first = short_walk(tmp_path / "a.jsonl", [Tick(0.2, each, (), (97, 61)) for each in intents])
@@ -369,7 +378,7 @@ def test_a_replay_keeps_to_the_size_that_is_asked_for(tmp_path: Path) -> None:
     assert [tick.intent for tick in ticks] == intents[:12]
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=7)
 def test_the_language_of_the_window_can_be_asked_for(tmp_path: Path) -> None:
     path = tmp_path / "b.jsonl"
     english = short_walk(tmp_path / "a.jsonl", [Tick(0.2, Intent(), (), (320, 240))])
@@ -382,7 +391,7 @@ def test_the_language_of_the_window_can_be_asked_for(tmp_path: Path) -> None:
         assert recording.read(path)[0].language == "fr"
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=8)
 @pytest.mark.posix_only("nothing sends Ctrl-C to one process alone")
 def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path) -> None:
     need_library("OSMesa")
@@ -405,7 +414,7 @@ def test_ctrl_c_ends_the_walk_in_one_line_and_keeps_the_recording(tmp_path: Path
     assert [p.name for p in tmp_path.iterdir()] == ["a.jsonl"]
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=7)
 @pytest.mark.parametrize(
     ("words", "wanted"),
     [
@@ -457,7 +466,7 @@ def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
     assert (done.status, done.out.split()) == (0, ["catmull_rom", "none", "catmull_rom"]), done.err
 
 
-@pytest.mark.sweep(3, first=2)
+@pytest.mark.sweep(3)
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
@@ -503,7 +512,7 @@ def screen() -> Iterator[dict[str, str]]:
         end(server)
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(13, first=7)
 def test_a_full_screen_replay_is_drawn_at_the_size_of_the_screen(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -538,7 +547,7 @@ def walked(plan: Plan, ticks: list[Tick]) -> list[Walker]:
     return walkers
 
 
-@pytest.mark.seldom(8, first=6)
+@pytest.mark.seldom(14, first=1)
 def test_f11_in_a_walk_that_began_full_screen_comes_back_to_its_size(
     screen: dict[str, str], tmp_path: Path
 ) -> None:
@@ -562,7 +571,7 @@ def test_f11_in_a_walk_that_began_full_screen_comes_back_to_its_size(
         process.wait()
 
 
-@pytest.mark.seldom(10, first=5)
+@pytest.mark.seldom(14, first=1)
 def test_real_key_events_walk_turn_and_strike(screen: dict[str, str], tmp_path: Path) -> None:
     path = tmp_path / "walk.jsonl"
     words = ["walk", "fig35b", "--size", "320x240", "--frames", "5000", "--record", str(path)]
@@ -682,6 +691,7 @@ print(json.dumps([seen, given]))
 """
 
 
+@pytest.mark.seldom(5)
 def test_a_scene_that_is_opened_anew_gives_its_memory_back() -> None:
     done = python(REBUILT, env=environment())
     assert done.status == 0, done.err
@@ -752,7 +762,7 @@ def test_escape_shuts_the_list_of_keys_before_it_ends_the_walk() -> None:
     assert json.loads(done.out) == [["help"], True, ["help"], False, ["help", "help"], False, None]
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=9)
 def test_the_help_and_what_is_opened_beside_it_never_lie_over_each_other() -> None:
     done = python(OVERLAYS, env=environment(LANG="C"))
     assert done.status == 0, done.err
@@ -824,7 +834,7 @@ def test_whoever_goes_to_a_fix_and_flies_there_is_told_so() -> None:
     assert seen[1][1].startswith("R2  ")
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=8)
 def test_the_title_is_met_in_a_window_and_one_key_leaves_it(
     screen: dict[str, str], tmp_path: Path
 ) -> None:

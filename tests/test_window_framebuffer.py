@@ -57,7 +57,7 @@ def red_and_green(path: Path) -> bool:
     return (pixels[:, :half] == (255, 0, 0)).all() and (pixels[:, half:] == (0, 255, 0)).all()
 
 
-@pytest.mark.seldom(4, first=1)
+@pytest.mark.seldom(10, first=8)
 @pytest.mark.parametrize("backend", ["glfw", "cgl"])
 def test_a_program_finds_its_window_as_it_would_be(hidden, backend: str, tmp_path: Path) -> None:
     out = tmp_path / "out.png"
@@ -66,7 +66,7 @@ def test_a_program_finds_its_window_as_it_would_be(hidden, backend: str, tmp_pat
     assert out.exists()
 
 
-@pytest.mark.seldom(6, first=1)
+@pytest.mark.seldom(3, first=2)
 @pytest.mark.parametrize("backend", ["glfw", "cgl"])
 def test_state_and_pixels_are_told_as_of_a_window(hidden, backend: str) -> None:
     state = hidden(backend, "state", PROGRAM, "--json").json()
@@ -76,7 +76,7 @@ def test_state_and_pixels_are_told_as_of_a_window(hidden, backend: str) -> None:
     assert history[-1]["color"][:3] == [0, 255, 0]
 
 
-@pytest.mark.seldom(4, first=2)
+@pytest.mark.seldom(10, first=5)
 @pytest.mark.parametrize("backend", ["glfw", "cgl"])
 def test_a_program_is_drawn_in_the_new_size_of_its_window(
     hidden, backend: str, tmp_path: Path
@@ -87,7 +87,7 @@ def test_a_program_is_drawn_in_the_new_size_of_its_window(
     assert hidden(backend, *words).json()["GL_VIEWPORT"] == [0, 0, 96, 80]
 
 
-@pytest.mark.seldom(6, first=3)
+@pytest.mark.seldom(13, first=12)
 def test_a_hidden_window_of_pygame_has_one_too(hidden) -> None:
     pytest.importorskip("pygame", reason="pygame is not installed")
     program, place = PROGRAM.with_name("waves.py"), "200,150"
@@ -101,7 +101,7 @@ def test_a_hidden_window_of_pygame_has_one_too(hidden) -> None:
 
 @pytest.mark.parametrize("backend", ["glfw", "cgl"])
 @pytest.mark.parametrize("name", ["triangle", "stencil_mirror", "shadow_map", "accumulation"])
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(14, first=11)
 def test_a_lesson_has_the_picture_that_it_has_without_a_screen(
     hidden, backend: str, name: str, tmp_path: Path
 ) -> None:

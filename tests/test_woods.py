@@ -33,6 +33,7 @@ def test_in_woods_every_sprite_stands_on_land_at_the_grounds_height() -> None:
     assert np.allclose(y, hill().terrain_height(x, z))
 
 
+@pytest.mark.seldom(3, first=2)
 def test_the_same_seed_gives_the_same_woods_and_another_seed_others() -> None:
     changes = {"trees__grouped": True, "plants__species": 3}
     first, again, other = (refine(seed=seed, **changes) for seed in (5, 5, 6))
@@ -79,7 +80,7 @@ def grown(**changes: Any) -> TintedSprites:
     return refine({"plants"}, **{**given, "plants__species": 5, **changes})
 
 
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10, first=4)
 def test_one_species_is_the_fern_of_2006_and_more_are_as_many_herbs() -> None:
     assert set(grown(plants__species=1).cells) == {PLANT}
     for species in (2, 3, 5):
