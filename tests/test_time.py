@@ -213,6 +213,7 @@ def test_every_element_is_warmer_at_sunset(
     assert warmth[1] > 1.1 * warmth[0]
 
 
+@pytest.mark.seldom(14, first=2)
 @pytest.mark.parametrize("islands", ["best"], indirect=True)
 def test_foam_is_warmer_at_sunset(stage: Stage, islands: list[Island]) -> None:
     warmth = []
