@@ -122,7 +122,9 @@ def test_what_a_call_changes_is_what_it_sets(name, args) -> None:
     else:
         function = getattr(gl, name)
     given = tuple(map(value, args))
-    gl.glTexCoord4f(0.0, 0.0, 0.0, 1.0)  # a raster position would take that of an earlier test
+    # A raster position would take the coordinates that an earlier test has left.
+    gl.glTexCoord4f(0.0, 0.0, 0.0, 1.0)
+    gl.glRasterPos2f(0.0, 0.0)
     before = state.read()
     sets = spec.sets(name, given, before)
     function(*given)
