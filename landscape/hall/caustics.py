@@ -44,7 +44,7 @@ from landscape.gl.draw import draw_mesh
 from landscape.gl.features import possible
 from landscape.hall.kept_meshes import kept_meshes
 from landscape.hall.levels import levels_of
-from landscape.hall.reflected_light import LIT, lit_meshes
+from landscape.hall.reflected_light import LIT, brighter, lit_meshes
 from landscape.hall.room import Room
 from landscape.hall.settings import Settings
 
@@ -89,7 +89,7 @@ class Caustics(Element[Settings]):
     @classmethod
     def built_from(cls, settings: Settings) -> Hashable:
         """Return what the constructor uses of the settings."""
-        return settings.caustics.pattern, settings.sun
+        return settings.caustics.pattern, settings.caustics.reflected, settings.sun
 
     @classmethod
     def build(cls, site: Site[Settings]) -> Self:
@@ -111,6 +111,7 @@ class Caustics(Element[Settings]):
 
         lit = kept_meshes(["the pool's light on the stone", repr(settings.sun)], meshes)
         for (material, bay, level), mesh in lit.items():
+            mesh = brighter(mesh, settings.caustics.reflected)
             compiled = DisplayList(lambda mesh=mesh: draw_mesh(mesh))  # type: ignore[misc]
             self._lists[material, int(bay), int(level)] = compiled
 
