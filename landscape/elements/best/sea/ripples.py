@@ -176,8 +176,7 @@ class Ripples:
             level = opacity(cosine, water.color[3])
             change = change_of_opacity(grid, cosine, water.color[3])
 
-        # In sheltered water ripples are fewer, too: the mirror image holds together.
-        change = (change + np.float32(MUTED)) * rough * np.sqrt(sheltered)
+        change = (change + np.float32(MUTED)) * rough
         change *= np.float32(STEEP * RANGE * water.ripples)
         one, two = sights(grid, level, change, mirror is None)
         repeat = water.repeat / water.patch

@@ -8,7 +8,7 @@ import numpy as np
 
 from landscape.elements.best.sea.eye_grid import EyeGrid
 
-FRESNEL_POWER = 4.0  # chosen: Schlick has 5, but a rough sea mirrors strongly at steeper angles
+FRESNEL_POWER = 3.6  # chosen: Schlick has 5, but a rough sea mirrors strongly at steeper angles
 CLEARED = 0.94  # chosen: fraction of its opacity that the water loses at a grazing angle
 
 # Chosen: waves as length in units, direction in radians (the wind blows to 0.5), and slope.
