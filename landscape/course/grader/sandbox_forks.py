@@ -19,7 +19,6 @@ from pathlib import Path
 from typing import IO, NoReturn
 
 from framelens.system import limits
-from framelens.system.copying import copy
 from landscape.course.grader.confinement import LANDLOCK
 from landscape.course.grader.order import Order
 from landscape.course.grader.sandbox import (
@@ -38,6 +37,9 @@ from landscape.course.grader.sandbox import (
 from landscape.course.grader.sandboxed import Prepared, prepare, run_program
 from landscape.course.grader.stream import MOST_BYTES, PART, received, widen
 from landscape.course.grader.workplace import deleted_bytes, overfull
+
+if sys.platform != "win32":  # where no program is contained
+    from framelens.system.copying import copy
 
 assert sys.platform == "linux"  # as limits.FORKS says
 
