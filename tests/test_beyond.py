@@ -130,11 +130,13 @@ def test_passes_say_how_far_away_each_pixel_is_and_whose_it_is() -> None:
         camera = offscreen.scene.settings.camera
         pose = offscreen.moment.pose
         height = offscreen.scene.height
+
         depth, masks = passes("fig35e", asked, None, False)
         assert set(masks) == {"ground", "sky"}
         assert not (masks["ground"] & masks["sky"]).any()
         ground = masks["ground"] > 0
         assert 0.2 < ground.mean() < 0.8
+
         # In the lowest row's middle the ray goes down half the field of view: where it meets the
         # ground, its distance along the line of sight is the depth.
         row, column = SIZE[1] - 1, SIZE[0] // 2

@@ -86,10 +86,12 @@ def test_the_lines_are_those_that_lead_to_a_call(tmp_path: Path) -> None:
             "",
         ]
     )
+
     path = tmp_path / "mine.py"
     path.write_text(code)
     with Grader(100) as grader:
         work = grader.check(path).work
+
     assert work is not None
     one, two, three = work.last.draws
     assert one.call.way == [(16, "draw"), (9, "draw_face"), (5, "glBegin")]

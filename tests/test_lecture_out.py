@@ -160,24 +160,29 @@ def test_a_pdf_is_tagged_has_alternative_texts_and_the_same_bytes_each_time(
     pypdf = pytest.importorskip("pypdf")
     data = pdf.as_pdf("Miroirs", slides, "fr", paper)
     assert data == pdf.as_pdf("Miroirs", slides, "fr", paper)
+
     found = pypdf.PdfReader(io.BytesIO(data))
     root = found.trailer["/Root"]
     assert root["/Lang"] == "fr" and root["/MarkInfo"]["/Marked"] and "/StructTreeRoot" in root
     assert found.metadata.title == "Miroirs"
+
     alts = [
         str(item.get_object()["/Alt"])
         for item in map(found.get_object, range(1, len(found.xref[0]) + 1))
         if isinstance(item, dict) and "/Alt" in item
     ]
     assert alts == ["Blue.", "Blue."]
+
     words = "".join(each.extract_text() for each in found.pages)
     assert "C# & $x$" in words and "*No* _markup_ @here" in words and "# $x #" in words
+
     fonts = {
         str(f.get_object()["/BaseFont"])
         for p in found.pages
         for f in p["/Resources"]["/Font"].values()
     }
     assert all("DejaVu" in name for name in fonts)
+
     width, height = found.pages[0].mediabox[2:]
     if paper == "a4":
         assert len(found.pages) == 1 and height > width and "Ask why." in words

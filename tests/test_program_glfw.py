@@ -176,6 +176,7 @@ def test_the_clock_is_held_and_moves_by_sleeping(watch: Watcher, write: Write) -
         ),
         3,
     )
+
     calls = {name: [float(value) for value in values] for name, *values in seen.calls}
     assert calls["glColor3d"] == pytest.approx([2.55, 2.55, 0.0], abs=1e-5)
     assert calls["glVertex3d"] == [2006, 2, 1]

@@ -360,6 +360,7 @@ def test_selection_feedback_and_queries_are_begun_and_ended(fresh: Fresh) -> Non
     fresh()
     before = read()
     pointers = {"GL_SELECTION_BUFFER_POINTER", "GL_FEEDBACK_BUFFER_POINTER"}
+
     hits = np.zeros(64, np.uint32)
     gl.glSelectBuffer(64, hits)
     gl.glRenderMode(gl.GL_SELECT)
@@ -368,11 +369,13 @@ def test_selection_feedback_and_queries_are_begun_and_ended(fresh: Fresh) -> Non
     assert selecting["GL_RENDER_MODE"] == "GL_SELECT"
     assert selecting["GL_NAME_STACK_DEPTH"] == 1
     assert selecting["GL_SELECTION_BUFFER_SIZE"] == 64
+
     restore(before)
     assert set(difference(before, read())) <= pointers
     restore(selecting)
     assert set(difference(selecting, read())) <= pointers
     restore(before)
+
     answers = np.zeros(32, np.float32)
     gl.glFeedbackBuffer(32, gl.GL_3D_COLOR, answers)
     gl.glRenderMode(gl.GL_FEEDBACK)
@@ -382,6 +385,7 @@ def test_selection_feedback_and_queries_are_begun_and_ended(fresh: Fresh) -> Non
     restore(feeding)
     assert set(difference(feeding, read())) <= pointers
     restore(before)
+
     query = 5
     gl.glBeginQuery(gl.GL_SAMPLES_PASSED, query)
     counting = read()

@@ -118,8 +118,8 @@ def _draw_rows(
 ) -> dict[int, tuple[int, int]]:
     """Draw the rows that are ``shown`` from ``y`` on, and how many there are above and below them.
 
-    ``size`` is the plate's width and that of the letters. Return the upper and lower edge of each
-    row by its number, with those of the next row above and below.
+    ``size`` is the width of the plate and the size of the font, in pixels. Return the upper and
+    lower edge of each row by its number, and the edges of the next row above and below.
     """
     width, pixels = size
     face = font(pixels)

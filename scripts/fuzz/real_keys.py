@@ -499,6 +499,7 @@ def main() -> int:
     if sys.argv[1:2] == ["--watched"]:
         sys.path.insert(0, str(REPOSITORY))
         return watched(Path(sys.argv[2]), sys.argv[3:])
+
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help=", ".join(SCENES))
     parser.add_argument("--minutes", type=float, default=2.0, help="in each scene")
@@ -506,12 +507,15 @@ def main() -> int:
     parser.add_argument("--folder", type=Path, help="where what was recorded and seen is kept")
     parser.add_argument("--cache", type=Path, help="the program's cache; default: an empty one")
     options = parser.parse_args()
+
     for scene in options.scenes:
         if scene not in SCENES:
             parser.error(f"{scene}: expected some of {', '.join(SCENES)}")
+
     print(f"seed {options.seed}", flush=True)
     if options.folder:
         options.folder.mkdir(parents=True, exist_ok=True)
+
     found = False
     cache = options.cache or Path(tempfile.mkdtemp(prefix="real-keys-cache-", dir=options.folder))
     for scene, folder in zip(options.scenes or SCENES, folders(options.folder), strict=False):

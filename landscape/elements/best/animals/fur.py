@@ -6,9 +6,9 @@ is above the skin: its tip higher than its root. Each shell keeps what reaches i
 are seen lying over each other, and the silhouette is ragged. On each chart of the mesh s is the
 direction in which hairs are combed there. Each shell is a display list. Shells (Lengyel and others
 2001, "Real-time fur over arbitrary surfaces") are not in the report.
-A hair is as narrow as a pixel, so it needs a soft edge: GL_SUBTRACT takes the height of the shell
-from that of the hair, GL_ALPHA_SCALE makes the rest four times as steep (OpenGL 1.3), and alpha
-says how many samples of a pixel are written (see :mod:`landscape.gl.cut_out`).
+A hair is as narrow as a pixel, so it needs a soft edge: GL_SUBTRACT takes the shell's height from
+the hair's, GL_ALPHA_SCALE makes the difference four times as steep (OpenGL 1.3), and alpha says how
+many samples of a pixel are written (see :mod:`landscape.gl.cut_out`).
 What is wrong with it: seen along the surface, the layers are separate; so they are close together,
 and where hairs are shorter than a pixel or two, fewer and fewer are drawn.
 State used: GL_ALPHA_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_TEXTURE_2D and its environment; the glint
@@ -72,7 +72,7 @@ def hair_texture(seed: int = 7) -> np.ndarray:
     bend = FINER * rng.normal(0.0, BENT, (HAIRS, 1, 1))
     half = FINER * rng.uniform(*WIDE, (HAIRS, 1, 1))
     # Hairs of a tuft end together, and are of one brightness.
-    tuft = np.sin(2 * np.pi * (2 * root / side + np.array(0.3)))
+    tuft = np.sin(2 * np.pi * (2 * root / side + 0.3))
     tuft = tuft * np.sin(2 * np.pi * (3 * across / side + 0.2 * tuft))
     height = np.clip(rng.uniform(0.45, 1.0, (HAIRS, 1, 1)) + 0.15 * tuft, 0.0, 1.0)
     tint = TINTS[rng.choice(len(TINTS), HAIRS, p=SHARES)]
@@ -259,7 +259,7 @@ class Fur:
 
 
 def combine_heights() -> None:
-    """Let alpha be SOFT times how far the texture's is above that of GL_TEXTURE_ENV_COLOR."""
+    """Let alpha be SOFT times the texture's alpha less the alpha of GL_TEXTURE_ENV_COLOR."""
     combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PRIMARY_COLOR"})
     combine({"COMBINE_ALPHA": "SUBTRACT", "SRC0_ALPHA": "TEXTURE", "SRC1_ALPHA": "CONSTANT"})
     gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_ALPHA_SCALE, SOFT)

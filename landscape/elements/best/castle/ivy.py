@@ -166,6 +166,7 @@ def _shoot(
         out = np.array([start[0] - tower[0], 0.0, start[2] - tower[1]])
         out /= np.linalg.norm(out)
         across = np.array([-out[2], 0.0, out[0]])
+
         place = start + 0.022 * out
         heading = 0.65 * out + rng.normal(0.0, 0.8) * across + rng.normal(0.35, 0.5) * up
         count = int(rng.integers(*STEPS))
@@ -173,16 +174,20 @@ def _shoot(
             heading = heading - 0.20 * up + rng.normal(0.0, 0.16, 3)
             heading /= np.linalg.norm(heading)
             place = place + STEP * heading
+
             if np.hypot(*(place[[0, 2]] - tower)) < TOWER_RADIUS + PLINTH[2] + 0.004:
                 break
             if place[1] < float(ground(place[None, [0, 2]])[0]):
                 break
+
             side = across if k % 2 else -across
             tip = 0.5 * heading + 0.8 * side - 0.5 * up + rng.normal(0.0, 0.2, 3)
             normal = out + 0.6 * up + 0.5 * side + rng.normal(0.0, 0.25, 3)
+
             length = LENGTH * (1.0 - 0.6 * k / count) * rng.uniform(0.8, 1.2)
             young = 0.06 + 0.22 * k / count
             tint = rng.normal(0.95, 0.08) * np.array([1 + young, 1 + 0.5 * young, 1 - 0.4 * young])
+
             rows = (place + 0.4 * length * side, normal, tip, np.array(length), tint)
             found.add(*(row[None] for row in rows))
 

@@ -176,8 +176,7 @@ class Ripples:
             level = opacity(cosine, water.color[3])
             change = change_of_opacity(grid, cosine, water.color[3])
 
-        change = (change + np.float32(MUTED)) * rough
-        change *= np.float32(STEEP * RANGE * water.ripples)
+        change = (change + np.float32(MUTED)) * rough * np.float32(STEEP * RANGE * water.ripples)
         one, two = sights(grid, level, change, mirror is None)
         repeat = water.repeat / water.patch
         long, fine = (coordinates(places, t, layer, repeat) for layer in (LONG, FINE))

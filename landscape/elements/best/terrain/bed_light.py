@@ -87,21 +87,25 @@ class BedLight:
         film = LAST + 1
         fade = LAST + 3
         grey = np.array([0.0, 0.0, 0.0, 0.5], np.float32)
+
         gl.glActiveTexture(texture_unit(LAST))
         combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{film + 1}"})
         combine({"SRC1_ALPHA": f"TEXTURE{film}", "SRC2_ALPHA": "CONSTANT"})
+
         gl.glActiveTexture(texture_unit(film))
         self._lay_net()
         combine({"COMBINE_RGB": "REPLACE", "SRC0_RGB": "PREVIOUS"})
         combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": "PREVIOUS"})
         combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": f"TEXTURE{fade}"})
         gl.glTexEnvfv(env, gl.GL_TEXTURE_ENV_COLOR, grey)
+
         gl.glActiveTexture(texture_unit(film + 1))
         self._lay_net()
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
         combine({"OPERAND1_RGB": "SRC_ALPHA"})
         gl.glTexEnvf(env, gl.GL_RGB_SCALE, 2.0)
         combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+
         gl.glActiveTexture(texture_unit(fade))
         gl.glEnable(gl.GL_TEXTURE_2D)
         self._fade.bind()
