@@ -1,40 +1,31 @@
 """Each setting of the hall has a view in which it shows: changed there, it changes the picture."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import replace
 
-import numpy as np
 import pytest
-from other_values import another
+from setting_shots import LEAST, Shot, Studio, change, drawn, in_order
 
-from framelens.gl.seam import recording
 from landscape.hall.hall import SCENE
-from landscape.offscreen import Offscreen
-from landscape.settings.declare import fields, get, with_settings
+from landscape.settings.declare import fields
 from landscape.settings.notices import WALK, conditions
 
 KEYS = fields(type(SCENE.settings))
-SIZE = (160, 120)
-LEAST = 3  # levels of 255: less may be the rounding of colours
-
-
-@dataclass(frozen=True)
-class Shot:
-    """Where a setting shows: the view, its animation time, settings beside it, its other value."""
-
-    view: str
-    settings: dict[str, Any] = field(default_factory=dict)
-    value: Any = None
-    kt: float | None = None
-
 
 IN_FOG = {"fog.enabled": True}
 LINEAR = {**IN_FOG, "fog.mode": "linear", "fog.end": 8.0}
 BRIGHT = {"tone.contrast": 1.8}
 FLYING = {"flight.enabled": True}
 BY_SLERP = {**FLYING, "flight.interpolation": "slerp"}
+# What a walker holds is in no view; facing away from the sun, it is in shade.
+HELD = replace(SCENE.views["hall"].pose, yaw=103.0)
+SWORD = ("sword",)
+TINTED = {"sun.tint": (0.5, 0.6, 0.7)}
 SHOTS = {
+    "walk.eye": Shot("hall_contrast"),
+    "sun.tint": Shot(HELD, only=SWORD),
+    "sun.relit": Shot(HELD, TINTED, only=SWORD),
+    "sun.shade": Shot(HELD, TINTED | {"sun.relit": True}, only=SWORD),
     "fog.mode": Shot("hall", IN_FOG, "linear"),
     "fog.density": Shot("hall", IN_FOG, 0.5),
     "fog.radial": Shot("hall", IN_FOG),
@@ -76,90 +67,40 @@ ONLY_CALLS = {
     "mist.mask": Shot("hall_mist"),
 }
 WALKING = {key for key in KEYS if WALK in conditions(type(SCENE.settings), key)}
-OTHERS = {"walk.eye", *SCENE.unread, *WALKING}
+OTHERS = {*SCENE.unread, *WALKING}
+UNREAD = [key for key in SCENE.unread if key not in WALKING]
 SHOWN = [key for key in KEYS if key not in OTHERS and key not in ONLY_CALLS]
 
 
 @pytest.fixture(scope="module")
-def halls() -> Iterator[dict[Any, Offscreen]]:
-    """The last hall opened, by its view and settings: neighbours in the list share it."""
-    kept: dict[Any, Offscreen] = {}
-    yield kept
-    for hall in kept.values():
-        hall.close()
+def studio() -> Iterator[Studio]:
+    opened = Studio(SCENE, {})
+    yield opened
+    opened.close()
 
 
-def opened(halls: dict[Any, Offscreen], shot: Shot) -> Offscreen:
-    wanted = shot.view, tuple(shot.settings.items())
-    if wanted not in halls:
-        while halls:
-            halls.popitem()[1].close()
-        halls[wanted] = hall = Offscreen(SIZE, samples=0, settings=shot.settings)
-        hall.look(shot.view)
-    return halls[wanted]
-
-
-def changed(hall: Offscreen, key: str, shot: Shot) -> Any:
-    """Return the hall's settings with another value of a key."""
-    assert hall.scene is not None
-    settings = hall.scene.settings
-    value = shot.value
-    if value is None or value == get(settings, key):
-        value = another(key, KEYS[key], get(settings, key))
-    return with_settings(settings, {key: value})
-
-
-def drawn(hall: Offscreen, kt: float | None) -> tuple[np.ndarray, list[str]]:
-    """Return the second of two pictures, and its calls: names and arguments."""
-    hall.draw(kt)
-    with recording() as recorder:
-        picture = hall.draw(kt)
-    return picture.astype(int), [f"{call.name}{call.args}" for call in recorder.calls]
-
-
-def both(hall: Offscreen, key: str, shot: Shot) -> list[tuple[np.ndarray, list[str]]]:
-    """Return what :func:`drawn` does, without and with another value of a key."""
-    before = drawn(hall, shot.kt)
-    after = changed(hall, key, shot)
-    assert hall.scene is not None
-    former = hall.scene.settings
-    if hall.scene.apply(after):
-        pictures = [before, drawn(hall, shot.kt)]
-        assert hall.scene.apply(former)
-        return pictures
-    with Offscreen(SIZE, samples=0, settings={**shot.settings, key: get(after, key)}) as other:
-        other.look(shot.view)
-        return [before, drawn(other, shot.kt)]
-
-
-@pytest.mark.parametrize("key", sorted(SHOWN, key=lambda key: SHOTS.get(key, Shot("")).view))
+@pytest.mark.parametrize("key", in_order(SHOWN, SHOTS))
 @pytest.mark.sweep(20)
-def test_a_setting_changes_the_picture_of_the_view_that_shows_it(
-    halls: dict[Any, Offscreen], key: str
-) -> None:
-    shot = SHOTS.get(key, Shot("hall"))
-    (before, _), (after, _) = both(opened(halls, shot), key, shot)
-    assert np.abs(before - after).max() >= LEAST, f"{key} changes nothing in its view"
+def test_a_setting_changes_the_picture_of_the_view_that_shows_it(studio: Studio, key: str) -> None:
+    difference = change(studio.both(key, SHOTS.get(key, Shot("hall"))))
+    assert difference >= LEAST, f"{key} changes nothing in its view"
 
 
 @pytest.mark.parametrize("key", ONLY_CALLS)
 @pytest.mark.sweep(4)
 def test_another_way_to_draw_makes_the_same_picture_by_other_calls(
-    halls: dict[Any, Offscreen], key: str
+    studio: Studio, key: str
 ) -> None:
     shot = ONLY_CALLS[key]
-    hall = opened(halls, shot)
-    (before, calls), (after, others) = both(hall, key, shot)
-    assert calls == drawn(hall, shot.kt)[1]
-    assert calls != others and np.abs(before - after).max() < LEAST
+    before, after = studio.both(key, shot)
+    assert before[1] == drawn(studio.opened(shot), shot.kt)[1]
+    assert before[1] != after[1] and change((before, after)) < LEAST
 
 
-@pytest.mark.parametrize("key", ["sun.tint", "sun.relit", "sun.shade"])
-@pytest.mark.sweep(3)
+@pytest.mark.parametrize("key", UNREAD)
+@pytest.mark.sweep(2)
 def test_what_has_no_effect_in_the_hall_is_said_and_changes_nothing(
-    halls: dict[Any, Offscreen], key: str
+    studio: Studio, key: str
 ) -> None:
-    assert key in SCENE.unread
-    shot = Shot("hall", {"sun.tint": (0.5, 0.6, 0.7)} if key == "sun.relit" else {})
-    (before, _), (after, _) = both(opened(halls, shot), key, shot)
-    assert (before == after).all()
+    before, after = studio.both(key, Shot("hall"))
+    assert change((before, after)) == 0

@@ -349,6 +349,6 @@ def test_a_missing_golden_fails_and_a_difference_leaves_three_pictures(
 def test_every_golden_picture_belongs_to_a_test() -> None:
     wanted = {*ELEMENTS, *(f"sword_{k}" for k in range(1, 5))}
     wanted |= {f"{scene}_{preset}" for scene in (*SCENES, "dusk") for preset in ("2006", "best")}
-    wanted |= {f"lesson_{lesson.name}" for lesson in lessons()} | {*VIEWS, *VOXEL.views}
+    wanted |= {f"lesson_{lesson.name}" for lesson in lessons()} | {*VIEWS, *VOXEL.main}
     assert {path.stem for path in pictures.GOLDEN.glob("*.png")} == wanted
     assert pictures.RENDERER.exists()

@@ -1,6 +1,8 @@
 """The window's texts, in each language, and the panel that shows them."""
 
+import plistlib
 import re
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -69,6 +71,20 @@ def test_where_the_environment_names_no_language_the_system_is_asked(
 
 def test_the_system_names_a_language_or_nothing() -> None:
     assert re.fullmatch(r"|[a-z]{2,3}_.+", system.user_language())
+
+
+@pytest.mark.posix_only("it is asked for the language otherwise")
+def test_macos_has_the_language_in_a_file_of_preferences(tmp_path: Path) -> None:
+    from framelens.system.posix import _language_in
+
+    preferences = tmp_path / "preferences.plist"
+    assert _language_in(preferences) == ""
+    for kind in (plistlib.FMT_BINARY, plistlib.FMT_XML):
+        preferences.write_bytes(plistlib.dumps({"AppleLocale": "fr_CA"}, fmt=kind))
+        assert _language_in(preferences) == "fr_CA"
+    for odd in (plistlib.dumps({}), plistlib.dumps(["fr_CA"]), b"<plist>", b"bplist00", b""):
+        preferences.write_bytes(odd)
+        assert _language_in(preferences) == ""
 
 
 def test_a_fix_is_named_by_its_title_in_each_language() -> None:

@@ -49,7 +49,7 @@ def draw(
 
 
 @pytest.mark.sweep(12, first=5)
-@pytest.mark.parametrize("name", list(SCENE.views))
+@pytest.mark.parametrize("name", SCENE.main)
 def test_a_view_of_the_voxel_island_matches_its_golden_picture(
     stage: Stage, island: Voxel, request: pytest.FixtureRequest, name: str
 ) -> None:
@@ -57,7 +57,7 @@ def test_a_view_of_the_voxel_island_matches_its_golden_picture(
     pictures.check(name, drawn, request.config.getoption("--update-golden"), edges=True)
 
 
-@pytest.mark.parametrize("name", list(SCENE.views))
+@pytest.mark.parametrize("name", SCENE.main)
 def test_on_another_renderer_the_comparison_fails_on_a_picture_shifted_by_one_pixel(
     name: str,
 ) -> None:

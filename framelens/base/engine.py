@@ -10,7 +10,7 @@ import ipaddress
 import json
 import logging
 from collections.abc import Callable, Iterator
-from concurrent.futures import CancelledError, Executor, Future, ThreadPoolExecutor
+from concurrent.futures import CancelledError, Executor, Future
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -21,7 +21,7 @@ from urllib.parse import urlsplit
 from framelens.base.errors import InputError
 from framelens.base.executor import KILLED, WorkerKilled
 from framelens.base.installation import how_to_add
-from framelens.system.beside import beside
+from framelens.system.beside import beside, threads
 
 Result = TypeVar("Result")
 
@@ -66,7 +66,7 @@ class Engine(Executor):
         self._who = who
         self._refused = refused
         self._executor = client.get_executor(pure=False)
-        self._clerk = ThreadPoolExecutor(1)
+        self._clerk = threads(1)
         self._gone: set[str] = set()
         self._expected: Identity = who("")
         self._expected = self.submit(who, "auto").result()

@@ -7,7 +7,6 @@ import select
 import shlex
 import signal
 import stat
-import subprocess
 import sys
 import time
 from collections.abc import Callable, Generator, Iterator
@@ -194,9 +193,15 @@ def user_language() -> str:
     """
     if sys.platform != "darwin":
         return ""
-    command = ["defaults", "read", "-g", "AppleLocale"]
+    return _language_in(Path("~/Library/Preferences/.GlobalPreferences.plist").expanduser())
+
+
+def _language_in(preferences: Path) -> str:
+    """Return the language in macOS' file of preferences; "" if it cannot be read, or has none."""
+    import plistlib  # elsewhere nothing needs it
+    from xml.parsers.expat import ExpatError
+
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=5)
-    except (OSError, subprocess.SubprocessError):
+        return str(plistlib.loads(preferences.read_bytes()).get("AppleLocale", ""))
+    except (OSError, ValueError, AttributeError, ExpatError):  # AttributeError: it is no table
         return ""
-    return done.stdout.strip()

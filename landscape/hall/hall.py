@@ -358,11 +358,7 @@ SCENE = SceneOf(
         *("room", "sun", "fog", "sky", "statue", "torches", "shadow.flame", "shadow.sunlit"),
         *("tone.texture", "tone.texture_contrast", "tone.texture_brightness"),
     ),
-    # All of it is drawn, finely, and nothing has the sun's light painted in; its walls are always
-    # solid, and its pool is too small to swim in.
-    unread=(
-        *("camera.cull", "camera.lod_pixels", "sun.tint", "sun.relit", "sun.shade"),
-        *("walk.solid", "walk.swim"),
-    ),
+    # All of it is drawn, finely; its walls are always solid, and its pool is too small to swim in.
+    unread=("camera.cull", "camera.lod_pixels", "walk.solid", "walk.swim"),
     sounds=hall_sounds,
 )

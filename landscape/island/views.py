@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from landscape.frame import Pose
 from landscape.island.close_views import CLOSE_VIEWS
+from landscape.island.setting_views import SETTING_VIEWS
 from landscape.scene.scene import View
 from landscape.settings.declare import Value
 
@@ -716,4 +717,5 @@ VIEWS = (
         )
     }
     | {view.name: view for view in CLOSE_VIEWS}
+    | {view.name: replace(view, shown=OUTDOORS) for view in SETTING_VIEWS}
 )

@@ -6,13 +6,13 @@ All of it is kept in the cache, so that it is made once.
 import contextlib
 import math
 from collections.abc import Callable, Generator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from itertools import product
 
 import numpy as np
 
 from framelens.base.errors import InputError
+from framelens.system.beside import threads
 from landscape.elements import sun
 from landscape.elements.settings import Sun
 from landscape.files.assets import Assets
@@ -225,7 +225,7 @@ def meshes(
         return [tuple(map(kept, each)) for each in zip(*found, strict=True)]
 
     starts = product(range(0, place.regions, rows), range(0, place.regions, number))
-    workers = ThreadPoolExecutor(THREADS)
+    workers = threads(THREADS)
     try:
         for found in workers.map(part, *zip(*starts, strict=True)):
             yield from found

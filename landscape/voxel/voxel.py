@@ -479,7 +479,11 @@ SCENE = SceneOf(
     blocks=True,
     # The light of each face is in its colours, which are rounded.
     baked=("time", "sun", "shadow.color", "voxel.slope"),
-    # Regions have a switch of their own, ``voxel.cull``; blocks are always solid, and one jumps.
-    unread=("camera.cull", "camera.lod_pixels", "walk.solid", "walk.jump"),
+    # Regions have a switch of their own, ``voxel.cull``; OpenGL lights nothing, and the sky's light
+    # has constants of its own (build.py); blocks are always solid, and one jumps.
+    unread=(
+        *("camera.cull", "camera.lod_pixels", "sun.ambient", "sun.fill"),
+        *("walk.solid", "walk.jump"),
+    ),
     sounds=voxel_sounds,
 )
