@@ -136,6 +136,7 @@ SHOTS = {
     "ground.stones": replace(STONY, only=("ground",), settings=MATERIALS, value=5_000),
     "ground.lod_bias": replace(GROUPS["ground"], settings=MATERIALS, value=-2.0),
     "ground.verdure": replace(GROUPS["ground"], settings=MATERIALS, value=1.0),
+    "ground.tone": replace(GROUPS["ground"], settings=MATERIALS, value=1.0),
     "ground.clouds": replace(GROUPS["ground"], settings={"ground.shadows": True}, value=1.0),
     "ground.ledges": replace(
         STONY,

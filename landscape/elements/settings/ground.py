@@ -204,6 +204,15 @@ class Ground:
         unit="of 1",
         needs=("ground", "ground.materials", "ground.units=both"),
     )
+    tone: float = setting(
+        0.0,
+        "chosen",
+        "how far turf and rock have the darker, duller tones that a photograph gives them",
+        0,
+        1,
+        unit="of 1",
+        needs=("ground", "ground.materials", "ground.units=both"),
+    )
     clouds: float = setting(
         0.0,
         "chosen",

@@ -43,6 +43,7 @@ BEST: dict[str, Value] = {
     "ground.weathered": True,
     "ground.lod_bias": -1.2,
     "ground.verdure": 0.8,
+    "ground.tone": 1.0,
     "ground.clouds": 0.5,
     "ground.stones": 10_000,
     "ground.wet": True,

@@ -33,6 +33,7 @@ from landscape.elements.best.meadow.refined_blades import (
     thinned_ranges,
 )
 from landscape.elements.best.meadow.sowing import OF_TUFTS, Sown, between, lots_of, together
+from landscape.elements.best.terrain.tone import turf_toned
 from landscape.elements.grass import blade_corners, blade_vertices
 from landscape.elements.grass_cells import (
     CELL,
@@ -372,7 +373,11 @@ class Growth:
         bare = colour * tone[:, None]
         colour = colour + grass.variety * (hue - colour)
         brightness = between(0.88, 1.38, lots["brightness"])[:, None]
+        strength = self._settings.ground.tone
+        brightness += strength * between(-0.06, 0.14, lots["brightness"])[:, None]
         own = (kinds >= sward.GREEN_KINDS)[:, None]
+        if strength:
+            bare, colour = turf_toned(bare, strength), turf_toned(colour, strength)
         low = (kinds == sward.FLOOR)[:, None]
         colour = np.where(low, 0.6 * bare + 0.4 * colour, colour)
         shade = np.where(own, 0.5, colour / (2.0 * self._ends[0][kinds]))
@@ -381,6 +386,7 @@ class Growth:
         # In the thick of the sward roots are dark; where a card stands alone, it has light.
         alone = np.clip(np.log(sown.ranges / self.near) / 2.0, 0.0, 1.0)[:, None]
         foot = np.where(own, shade, (1.0 + sward.ROOTS * alone) * shade)
+        foot *= 1.0 - strength * sward.SHADED * (1.0 - alone)
         feet, tops = (np.clip(colours, 0, 1) * 255 for colours in (foot, shade))
         return feet.astype(np.uint8), tops.astype(np.uint8)
 

@@ -137,6 +137,7 @@ class Meadow(Element[Settings]):
         used += [grass.flowers if grass.sward else None]
         if grass.tinted:
             used += [ground.large_texture, ground.texture_size, settings.sun.tint]
+            used += [ground.tone if grass.sward else None]
             used += cast_from(settings)
         return tuple(used)
 

@@ -78,6 +78,7 @@ SLIMMED = np.array([0.35, 0.35, 0.35, 0.9, 0.0, 0.6, 0.6, 0.6] + 8 * [0.0], np.f
 LOW, FLAT = 0.055, 0.024
 LOWER = 1.2  # chosen: how much more of the sward is low where little stands
 ROOTS = 0.30  # chosen: how much lighter than its picture the foot is of cards seen from far away
+SHADED = 0.4  # chosen: how much darker the feet of near ones are with ground.tone
 CARD_SIDES = np.array([-1.0, 1.0, -SPREAD, SPREAD], np.float32)  # of feet and shoulders
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from landscape.elements.best.stones.scattering import Stones, patches
 from landscape.elements.best.stones.shapes import CRAG, LOG, PEBBLE, STONE, Shape
+from landscape.elements.best.terrain.tone import STONES_DRAINED, bare_toned
 from landscape.elements.ground import Ground
 from landscape.elements.settings import Settings
 from landscape.elements.sun import direction, painted
@@ -127,6 +128,8 @@ def painted_vertices(
     over = y - ground.terrain_height(x, z)
     light, sunny = daylight(settings, normals, shape.openness**SOFTER * np.ones_like(x))
     colour = albedo(settings, ground, stones, mine, points, normals, seed) * light
+    if settings.ground.tone:
+        colour = bare_toned(colour, settings.ground.tone, STONES_DRAINED)
 
     # Earth and shadow where it meets the ground, whose colour there is the stone's, too.
     earth = ground.drawn_colour(x.ravel(), z.ravel()).reshape(*x.shape, 3)

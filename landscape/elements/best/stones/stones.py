@@ -66,7 +66,7 @@ def made_from(settings: Settings) -> tuple[object, ...]:
             ground.large_texture,
             ground.texture_size,
         ),
-        *(ground.stones, ground.rock_texture, settings.water.level, settings.sun),
+        *(ground.stones, ground.rock_texture, ground.tone, settings.water.level, settings.sun),
         *(castle.x, castle.z, rabbit.x, rabbit.z, rabbit.scale),
     )
 

@@ -3,7 +3,8 @@
 With ``ground.materials`` turf, sand and rock each have their own detail texture, mixed in four
 texture units (materials.py), and the shore has its colours where it is drawn (shore.py). With
 ``ground.wet`` it is darker where waves reach (wet.py); with ``ground.verdure`` turf has the colour
-of the sward (verdure.py); with ``ground.clouds`` clouds shade the land (cloud_shade.py). With
+of the sward (verdure.py); with ``ground.tone`` all has a photograph's tones (tone.py); with
+``ground.clouds`` clouds shade the land (cloud_shade.py). With
 ``ground.tiles`` above 1 the mesh is cut into square display lists (tiles.py); those outside the
 view frustum are not called, and the mirror image uses coarser ones. With ``ground.low_stretch``
 details keep their scale on slopes; ``ground.ledges`` gives steep rock a finer relief
@@ -46,6 +47,7 @@ from landscape.elements.best.terrain.rock_faces import CLOSER, RockFaces, blocks
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
+from landscape.elements.best.terrain.tone import toned
 from landscape.elements.best.terrain.verdure import grained, verdant
 from landscape.elements.best.terrain.weathering import weathered
 from landscape.elements.best.terrain.wet import dampened, wet_texels
@@ -211,11 +213,13 @@ class Terrain(Ground):
                 colours, turf = weathered(colours, turf, self.field, rock)
             if ground.verdure:
                 colours = verdant(colours, turf, ground.verdure)
+            if ground.tone:
+                colours = toned(colours, turf, ground.tone)
             found = turf_range(turf[..., 0], len(self.field.heights) - 1)
             return np.concatenate([colours, turf], axis=2), found
 
         field = self.field
-        what = repr((repeat, ground.weathered, ground.verdure)), *field.made_from
+        what = repr((repeat, ground.weathered, ground.verdure, ground.tone)), *field.made_from
         painted, self._turf = recall((*what, *map(content, patterns), large.tobytes()), make)
         return painted
 
