@@ -28,14 +28,15 @@ demo:
 	fi
 
 # The tests run even if the style or the types fail; the status is that of both. Style and types are
-# checked beside the tests, and told after them. Some tests wait for a window or a process: one more
-# of them than there are processors keeps those busy.
+# checked while the package is installed and beside the tests, and told after them. Some tests wait
+# for a window or a process: one more of them than there are processors keeps those busy.
 PROCESSORS := $(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
 WORKERS := $(shell echo $$(( ($(PROCESSORS) < 3 ? $(PROCESSORS) : 3) + 1 )))
 
 test:
-	@scripts/setup.sh test
+	@scripts/setup.sh lint || true
 	@told=$$(mktemp); $(MAKE) --no-print-directory lint >$$told 2>&1 & lint=$$!; \
+	scripts/setup.sh test || { failed=$$?; kill $$lint; rm -f $$told; exit $$failed; }; \
 	$(BIN)/pytest -q -n $(WORKERS) --dist loadfile $(ALL); tests=$$?; \
 	wait $$lint; lint=$$?; cat $$told; rm -f $$told; \
 	[ $$tests -eq 0 ] || exit $$tests; \

@@ -160,7 +160,9 @@ install_package() {
     say "installing $target into .venv (pip; the first time takes a minute or two)"
     # The distribution's name until version 0.1.
     quietly .venv/bin/python -m pip uninstall -q -y landscape
-    quietly .venv/bin/python -m pip install -q --disable-pip-version-check -e ./framelens -e "$target" ||
+    # Python compiles a module when it is first imported: most of these never are.
+    quietly .venv/bin/python -m pip install -q --no-compile --disable-pip-version-check \
+        -e ./framelens -e "$target" ||
         die 1 "pip could not install $target; is the network available?"
     # Record the extras that are included in this one.
     case $extras in

@@ -9,7 +9,9 @@ import os
 import shutil
 import sys
 import tempfile
+import time
 from datetime import date
+from pathlib import Path
 
 # The tests do not use the user's own cache.
 # Worker processes of pytest-xdist inherit the folder of the process that started them.
@@ -21,6 +23,10 @@ else:
     os.environ["LANDSCAPE_CACHE"] = tempfile.mkdtemp(prefix="landscape-tests-")
     # All workers take the same day, even if a run goes past midnight.
     os.environ.setdefault("LANDSCAPE_TESTS_DAY", str(date.today().toordinal()))
+    # Where the tests have not been compiled yet, the first worker says by this file that they are.
+    compiled = f"test_*.{sys.implementation.cache_tag}-pytest-*.pyc"
+    if not any(Path(__file__).parent.glob(f"__pycache__/{compiled}")):
+        os.environ["LANDSCAPE_TESTS_COMPILED"] = os.environ["LANDSCAPE_CACHE"] + "-compiled"
     # Some containers set it; then each of a few hundred processes would compile all modules again.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # Numpy's library starts a thread for each processor, in each of a few hundred processes.
@@ -28,8 +34,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ["LANDSCAPE_GL_CHECKS"] = "1"  # read when framelens.gl.context first imports OpenGL
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Callable, Generator, Iterator
 
 import pytest
 from commands import Shell
@@ -43,10 +48,27 @@ from framelens.base.errors import NoOpenGLError
 from framelens.gl.context import Context, open_context
 from landscape.files.assets import Assets
 
+MOST_COMPILING = 120.0  # seconds; if the first worker has ended, the others need not wait for ever
+
 
 def pytest_configure(config: pytest.Config) -> None:
     """Give files to the workers in the order of `longest_first`, not by their numbers of tests."""
     config.option.loadscopereorder = False
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Let one worker alone compile the tests and the program; the others read what it wrote."""
+    compiled = os.environ.get("LANDSCAPE_TESTS_COMPILED", "")
+    first = os.environ.get("PYTEST_XDIST_WORKER") == "gw0"
+    if WORKER and compiled and not first:
+        begun = time.monotonic()
+        while not os.path.exists(compiled) and time.monotonic() - begun < MOST_COMPILING:
+            time.sleep(0.2)
+    collected = yield
+    if compiled and first:
+        Path(compiled).touch()
+    return collected
 
 
 def pytest_collection_finish() -> None:
@@ -59,6 +81,7 @@ def pytest_sessionfinish() -> None:
     copies.end()
     if not WORKER:
         shutil.rmtree(os.environ["LANDSCAPE_CACHE"], ignore_errors=True)
+        Path(os.environ["LANDSCAPE_CACHE"] + "-compiled").unlink(missing_ok=True)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -109,7 +132,8 @@ def not_today(items: list[pytest.Item], day: int) -> list[pytest.Item]:
     """Return what is not run on this day: after n days each test and each case has been run.
 
     Of a test marked `sweep(n, first=0)` every nth case is run; on the next day the cases after
-    them, or none if it has fewer than n. A test marked `seldom(n, first=0)` is run on one day in n.
+    them, or none if it has fewer than n; `neighbours` are run together, see `of_day`. A test marked
+    `seldom(n, first=0)` is run on one day in n.
     """
     families: defaultdict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:

@@ -17,12 +17,18 @@ class Todays(Protocol):
         """
 
 
-def of_day(cases: Sequence[Item], day: int, every: int, first: int = 0) -> list[Item]:
+def of_day(
+    cases: Sequence[Item], day: int, every: int, first: int = 0, neighbours: bool = False
+) -> list[Item]:
     """Return every nth case; on the next day those after them.
 
-    If there are fewer than n, there is none on some days.
+    With ``neighbours``, an nth of them that stand side by side, as they share a preparation. If
+    there are fewer than n, there is none on some days.
     """
-    return list(cases[(first + day) % every :: every])
+    turn = (first + day) % every
+    if neighbours:
+        return list(cases[turn * len(cases) // every : (turn + 1) * len(cases) // every])
+    return list(cases[turn::every])
 
 
 # Files that take a worker longest, the longest first: begun last, one would go on alone at the end.

@@ -345,6 +345,7 @@ def pixels(data: bytes) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", ["blade.png", "castle_light.png", "animal.png"])
+@pytest.mark.sweep(3)
 def test_a_rebuilt_asset_is_the_shipped_one(studio: Any, name: str) -> None:
     made, kept = studio.make(name), (shipped() / name).read_bytes()
     assert made == studio.make(name)

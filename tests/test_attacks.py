@@ -442,6 +442,7 @@ def assert_nothing_runs_but(grader: Grader, running: set[int], home: Path) -> No
 
 
 @pytest.mark.parametrize("name", ATTACKS)
+@pytest.mark.sweep(3)
 def test_an_attack_reaches_nothing(
     name: str, grader: Grader, home: Path, port: int, todays: Todays
 ) -> None:
@@ -515,6 +516,7 @@ ctypes.CFUNCTYPE(None)(ctypes.addressof(ctypes.c_char.from_buffer(memory)))()
 
 
 @pytest.mark.skipif(os.uname().machine != "x86_64", reason="the code is of another processor")
+@pytest.mark.seldom(3, first=2)
 def test_threads_are_counted_often(
     grader: Grader, home: Path, port: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -590,6 +592,7 @@ def test_what_a_program_sent_last_is_read_after_its_end() -> None:
     assert (bytes(running.data), running.reason) == (b"whole", "")
 
 
+@pytest.mark.seldom(3, first=2)
 def test_where_landlock_does_not_see_truncate_the_filter_refuses_it(tmp_path: Path) -> None:
     path = tmp_path / "kept"
     path.write_text("kept")
@@ -627,12 +630,14 @@ def test_an_error_that_a_program_has_made_up_is_none(error: object) -> None:
     assert not known(error)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_without_the_system_python_says_that_it_contains_the_program(home: Path) -> None:
     with Grader(SECONDS, NONE) as grader:
         assert grader.check(home / "work" / "other.py").contained == PYTHON
 
 
 @pytest.mark.parametrize("forks", [True, False])
+@pytest.mark.sweep(4)
 def test_where_the_system_cannot_contain_programs_require_refuses(
     forks: bool, home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -730,7 +735,7 @@ def test_python_refuses_it_by_itself(name: str, python_grader: Grader, home: Pat
     assert files(home) == before
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(10, first=2)
 def test_temporary_files_are_allowed_to_every_program(grader: Grader, home: Path) -> None:
     code = """
 import tempfile
@@ -748,6 +753,7 @@ with tempfile.TemporaryDirectory() as folder:
             each._sandbox.close()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_what_outlives_a_program_is_ended(home: Path, python_grader: Grader) -> None:
     code = """
 if C.fork() == 0:
@@ -770,6 +776,7 @@ def forged(**changes: Any) -> stream.Answer:
     return answer | changes, [memoryview(b"")]
 
 
+@pytest.mark.seldom(3)
 def test_lists_that_double_again_and_again_are_no_evidence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -871,6 +878,7 @@ def test_what_python_warns_of_in_a_program_is_not_told(tmp_path: Path) -> None:
         assert _syntax(path) is None
 
 
+@pytest.mark.seldom(3)
 def test_a_class_is_graded_to_its_end_whatever_one_program_does(
     home: Path, port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

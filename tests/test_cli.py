@@ -103,7 +103,7 @@ def test_a_command_imports_neither_another_one_nor_what_that_needs() -> None:
     assert not modules & {"landscape.commands.views", "landscape.commands.walk", "glfw"}
 
 
-@pytest.mark.seldom(7, first=1)
+@pytest.mark.seldom(10, first=1)
 def test_a_walk_without_a_path_imports_no_module_of_the_fly_over() -> None:
     words = "walk", "hall", "--only", "floor", "--size", "40x30", "--frames", "1"
     modules = imported(*words, "--backend", "osmesa", "--fresh")

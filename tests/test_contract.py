@@ -428,6 +428,7 @@ def test_what_is_refused_or_cannot_be_built_changes_nothing(stage: Stage, opened
     assert all((a == b).all() for a, b in zip(before, after, strict=True))
 
 
+@pytest.mark.sweep(4)
 def test_only_the_slots_that_cannot_take_a_setting_are_filled_again(
     stage: Stage, opened: Opened
 ) -> None:
@@ -441,6 +442,7 @@ def test_only_the_slots_that_cannot_take_a_setting_are_filled_again(
 
 
 # The last test of a case, which ends with it.
+@pytest.mark.sweep(4)
 def test_release_leaves_no_name_and_may_be_called_twice(stage: Stage, opened: Opened) -> None:
     assert live_names() != opened.before
     elements = opened.scene.elements

@@ -85,7 +85,7 @@ def studio() -> Iterator[Studio]:
 
 
 @pytest.mark.parametrize("key", in_order(SHOWN, SHOTS))
-@pytest.mark.sweep(14)
+@pytest.mark.sweep(14, neighbours=True)
 def test_a_setting_changes_the_picture_of_the_view_that_shows_it(studio: Studio, key: str) -> None:
     difference = change(studio.both(key, SHOTS.get(key, BAY)))
     assert difference >= LEAST, f"{key} changes nothing in its view"
@@ -103,7 +103,7 @@ def test_another_way_to_draw_makes_the_same_picture_by_other_calls(
 
 
 @pytest.mark.parametrize("key", UNREAD)
-@pytest.mark.sweep(4)
+@pytest.mark.sweep(10)
 def test_what_has_no_effect_among_voxels_is_said_and_changes_nothing(
     studio: Studio, key: str
 ) -> None:

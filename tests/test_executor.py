@@ -101,6 +101,7 @@ def test_a_killed_process_ends_in_one_line() -> None:
     _wait_for_the_end_of_all_but(before)
 
 
+@pytest.mark.seldom(3)
 def test_an_exception_ends_the_processes_at_once() -> None:
     before = set(multiprocessing.active_children())  # of other tests in this process
     with pytest.raises(KeyboardInterrupt), executor(2) as workers:

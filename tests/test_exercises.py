@@ -186,6 +186,7 @@ def test_an_exercise_has_a_task_a_hole_and_tests_with_rationales(name: str) -> N
     )
 
 
+@pytest.mark.seldom(3)
 def test_tests_that_need_a_failed_one_are_not_made(grader: Grader, tmp_path: Path) -> None:
     report = of_start(grader, "missing_enable")
     assert [result.passed for result in report.results] == [False, None, None, None]

@@ -147,7 +147,7 @@ def test_the_parts_of_a_folder_are_joined_with_their_sound(tmp_path: Path) -> No
         join(parting.parts, joined)
 
 
-@pytest.mark.seldom(7, first=1)
+@pytest.mark.seldom(10, first=1)
 def test_a_recorded_walk_is_heard_with_its_steps() -> None:
     kind = scene("hall")
     settings = kind.values(None, {"sound.muted": True})

@@ -157,6 +157,7 @@ def test_the_bench_prints_and_writes_how_many_lines_each_technique_leaves(
     assert measured["processes"] == 1 and printed[0].endswith("processes: 1")
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_island_is_written_as_an_environment_and_flown(tmp_path: Path) -> None:
     file = tmp_path / "mine.svg"
     assert main(["flyover", "export", str(file), "-q"]) == 0

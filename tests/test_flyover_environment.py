@@ -81,6 +81,7 @@ def test_each_environment_that_comes_with_the_program_is_a_flight_near_the_groun
     assert np.ptp([camera.z for camera in seen]) > 1
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_island_is_exported_as_a_file_that_reads_back_equal(tmp_path: Path) -> None:
     export_island(tmp_path / "my island.svg")
     written, own = open_environment(tmp_path / "my island.svg"), open_environment("island")

@@ -141,6 +141,7 @@ def test_steep_pitches_are_drawn_as_the_steepest_that_keeps_clear_of_the_nadir()
     assert (steep == limit).all()
 
 
+@pytest.mark.seldom(10)
 def test_an_eye_below_the_water_is_lifted_above_it() -> None:
     deep, high, dry = (
         look(hills(), Camera(20, 20, z, 0, 0.1, 2.0), filled__sea=0.4) for z in (2, 8, 30)

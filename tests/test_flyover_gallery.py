@@ -58,6 +58,7 @@ def test_the_page_in_french_has_the_commands_of_the_english_one_and_none_of_its_
     assert both == []
 
 
+@pytest.mark.seldom(3, first=2)
 def test_each_command_asks_for_the_picture_above_it() -> None:
     for shot, panel in zip(SHOTS, panels(), strict=True):
         options = build_parser().parse_args(shlex.split(panel.command)[1:])

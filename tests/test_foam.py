@@ -122,6 +122,7 @@ def test_least_distances_are_exact_nearby_and_never_too_large_far_away() -> None
     assert (found[away > 2.5] >= 8 * texel - 1e-6).all()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_sea_with_foam_is_built_for_one_setting_and_leaves_nothing(
     stage: Stage, plain: Assets
 ) -> None:
@@ -152,6 +153,7 @@ def test_rings_run_away_from_the_dragon_and_end() -> None:
     assert (np.diff(tops) > 0).all()
 
 
+@pytest.mark.seldom(3)
 def test_the_dragons_outline_is_where_its_mesh_crosses_the_water(stage: Stage) -> None:
     settings = small({"water.foam": True, "dragon.x": 20.0, "dragon.z": 24.0})
     ends = outline(settings, Assets())

@@ -43,6 +43,7 @@ half 0 x.png: half-written
 usage 2"""
 
 
+@pytest.mark.seldom(3)
 def test_every_kind_of_fault_is_found_and_a_clear_error_is_none(tmp_path: Path) -> None:
     done = python(OUTCOMES, FUZZ, str(tmp_path))
     assert (done.status, done.err) == (0, "")
@@ -80,6 +81,7 @@ for kind in inputs.KINDS:
     assert (done.status, done.err) == (0, "")
 
 
+@pytest.mark.seldom(10, first=9)
 def test_no_kind_comes_twice_though_some_bear_the_name_of_a_reader() -> None:
     code = """
 import importlib.util

@@ -72,6 +72,7 @@ print(json.dumps({"worst": worst, "drawn": drawn, "mipmaps": mipmaps}))
 """
 
 
+@pytest.mark.seldom(3, first=2)
 def test_pictures_and_mipmaps_are_those_of_libglu() -> None:
     need_library("EGL", "GLU")
     done = python(BOTH, env=environment()).json()

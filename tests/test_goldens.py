@@ -196,6 +196,7 @@ def test_a_whole_scene_matches_its_golden_picture(
 
 
 @pytest.mark.parametrize("preset", ["2006", "best"])
+@pytest.mark.sweep(2)
 def test_a_sunset_matches_its_golden_picture(
     stage: Stage, request: pytest.FixtureRequest, preset: str
 ) -> None:

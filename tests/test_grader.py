@@ -117,6 +117,7 @@ def test_a_program_that_cannot_be_graded_says_why(
     assert report.error.get("line", 5) >= 5 and not report.results and not report.passed
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_program_without_a_toolkit_is_told_so(grader: Grader, tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text("# exercise: winding\nwhile True:\n    pass\n")
@@ -294,6 +295,7 @@ def test_a_report_fits_the_terminal_and_paths_with_spaces(tmp_path: Path) -> Non
     assert (done.status, done.out, done.err) == (1, "", "")
 
 
+@pytest.mark.seldom(3, first=1)
 def test_bad_input_is_refused_in_one_line(tmp_path: Path) -> None:
     lines = {
         "none.py": (b"import glfw\n", "# exercise: "),

@@ -257,6 +257,7 @@ def test_work_that_raises_in_a_process_of_its_own_is_told() -> None:
 
 @pytest.mark.posix_only("Windows ends what a program has started with its group")
 @pytest.mark.skipif(not Path("/proc/self").exists(), reason="the system does not tell children")
+@pytest.mark.seldom(3, first=2)
 def test_what_a_program_has_started_ends_with_it(tmp_path: Path) -> None:
     place = tmp_path / "children"
     begin = f"""

@@ -145,6 +145,7 @@ def detail(image: np.ndarray, columns: slice) -> float:
     return float(np.abs(np.diff(image[42:78, columns].astype(float), axis=1)).mean())
 
 
+@pytest.mark.seldom(3, first=2)
 def test_only_the_middle_rabbit_is_sharp_and_without_the_shear_none(view: Offscreen) -> None:
     sharp = picture(view, RABBITS, focus_samples=32, focus_lens=0.0)
     right = picture(view, RABBITS, focus_samples=32)

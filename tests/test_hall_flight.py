@@ -75,6 +75,7 @@ def test_angular_velocity_is_continuous_at_the_keys_by_squad_and_not_by_slerp() 
     assert jerks("slerp").min() > 4.0 and jerks("slerp").max() > 100.0
 
 
+@pytest.mark.seldom(3, first=1)
 def test_squad_turns_hardly_farther_than_slerp() -> None:
     squad, slerp = turns(flight()), turns(flight(interpolation="slerp"))
     assert (squad > slerp - 1e-6).all() and squad.sum() < 1.2 * slerp.sum()

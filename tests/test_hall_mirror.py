@@ -153,6 +153,7 @@ def test_the_floor_is_blended_over_its_image_by_the_reflectance(stage, halls, fr
         assert np.abs(mixed[row, column] - expected).max() <= 2, (column, row)
 
 
+@pytest.mark.seldom(3, first=2)
 def test_without_the_stencil_the_image_hangs_out_beyond_the_floor(stage, halls) -> None:
     on, _ = drawn(stage, halls, OUTSIDE)
     off, _ = drawn(stage, halls, OUTSIDE, {"mirror.stencil": False})

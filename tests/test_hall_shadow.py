@@ -249,6 +249,7 @@ def test_without_its_safeguard_what_is_higher_than_the_torch_has_an_anti_shadow(
     assert ((anti != plain).any(axis=2)).sum() > 300
 
 
+@pytest.mark.seldom(3)
 def test_a_flame_before_the_wall_casts_the_statue_upside_down_only_without_its_safeguard(
     stage, hall
 ) -> None:

@@ -246,6 +246,7 @@ def test_the_sun_lies_on_the_floor_where_its_rays_come_through_the_windows(pictu
     assert west_of_the_pool.any()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_light_left_out_never_brightens(picture) -> None:
     for sheet in ("floor", "north"):
         everything = light_map(picture, sheet).astype(int)

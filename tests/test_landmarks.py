@@ -172,6 +172,7 @@ def test_the_list_shows_the_way_and_opens_only_what_has_been_found() -> None:
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (300, 900), (1900, 200), (64, 48)])
+@pytest.mark.sweep(10)
 def test_the_pictures_fit_and_the_mouse_finds_the_chosen_line(size: tuple[int, int]) -> None:
     chooser = LandmarksList(Found(NAMES), told)
     for chooser.index in (0, 12, 18):

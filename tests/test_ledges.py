@@ -97,6 +97,7 @@ def stretches(mesh: Mesh, layer: int, rate: float) -> np.ndarray:
     return np.asarray(1.0 / least)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_rock_that_stands_is_looked_up_from_in_front(ledged: LedgedField) -> None:
     meshes = [block.meshes[0] for block in rock(ledged)]
     stretched = np.concatenate([stretches(mesh, 2, RATES[2]) for mesh in meshes])

@@ -317,6 +317,7 @@ def test_a_lesson_runs_in_a_window_until_escape(
         xdotool(screen, "keyup", "Escape")
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_list_names_every_lesson_in_both_languages(shell: Shell) -> None:
     names = [each["name"] for each in shell("lesson", "--json").json()]
     assert names == list(NAMES)

@@ -49,6 +49,7 @@ def test_each_level_of_detail_saves_enough_to_be_kept() -> None:
     assert all(after <= AT_MOST * before for before, after in itertools.pairwise(sizes))
 
 
+@pytest.mark.seldom(3)
 def test_the_lists_of_all_levels_are_made_at_once_and_released(stage: Stage, plain_folder) -> None:
     write_ply(plain_folder / "dragon.ply", *ball())
     settings = small({**LIT, "camera.lod_pixels": 0.2, "camera.cull": True})

@@ -86,7 +86,7 @@ HOUSE = measures.without_programs(CODE)
 
 
 @pytest.mark.slow
-@pytest.mark.seldom(4)
+@pytest.mark.seldom(10)
 def test_types_and_assignments_stay_below_their_targets() -> None:
     counts = {
         "`Any`": len(measures.uses_of_any(ROOT, CODE)),

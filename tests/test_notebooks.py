@@ -127,6 +127,7 @@ def test_the_keys_of_a_lesson_s_picture_give_way_to_those_that_are_named() -> No
     assert (plain == own).all() and (plain != named).any()
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_program_that_crashes_ends_its_own_process_only(tmp_path: Path) -> None:
     (tmp_path / "crash.py").write_text(CRASHING)
     with pytest.raises(InputError, match="crash"):

@@ -171,6 +171,7 @@ def rotation(yaw: float) -> np.ndarray:
     return matrix[:3, :3]
 
 
+@pytest.mark.seldom(10, first=1)
 def test_the_gate_drawn_in_one_pass_is_multiplied_by_the_light_map(
     stage: Stage, plain: Assets
 ) -> None:
@@ -312,6 +313,7 @@ def test_the_walls_of_the_yard_light_each_other(time: str) -> None:
     assert light(within, south, sun, yaw).mean() < shaded, "the yard is darker than a wall outside"
 
 
+@pytest.mark.seldom(10, first=8)
 def test_the_door_is_seen_from_the_yard_where_it_opens(stage: Stage, plain_folder) -> None:
     within = Pose(20.0, 2.2, 19.9, 0.0, 0.0)
     pictures = []

@@ -188,6 +188,7 @@ FAULTS = {
 
 
 @each("fault", FAULTS)
+@pytest.mark.seldom(3, first=2)
 def test_a_fault_of_an_exercise_is_one_line_that_names_the_file_and_the_key(
     fault: str, tmp_path: Path
 ) -> None:

@@ -347,6 +347,7 @@ def test_two_processes_with_nothing_but_a_folder_in_common_make_one_film(tmp_pat
 # ---- the command
 
 
+@pytest.mark.seldom(3)
 def test_the_command_draws_parts_tells_their_status_and_joins_them(
     shell: Shell, tmp_path: Path
 ) -> None:

@@ -62,6 +62,7 @@ def test_the_windmill_turns_by_its_timer_and_repeats(watch: Watcher) -> None:
     assert first.calls[0] == ["glClear", str(0x4100)]
 
 
+@pytest.mark.seldom(3, first=1)
 def test_the_main_loop_tells_the_size_then_draws_and_timers_come_when_they_are_due(
     watch: Watcher, write: Write
 ) -> None:

@@ -404,6 +404,7 @@ glfw.swap_buffers(window)
 """
 
 
+@pytest.mark.seldom(3)
 def test_a_core_profile_is_refused_in_one_line(screen: dict[str, str], tmp_path: Path) -> None:
     path = tmp_path / "core.py"
     path.write_text(CORE)

@@ -161,6 +161,7 @@ def test_the_stand_in_for_pygames_functions_is_not_in_the_traceback(
     assert {Path(file).name for file in files} == {"program.py"}
 
 
+@pytest.mark.seldom(3, first=2)
 def test_a_program_that_never_flips_is_ended(watch: Watcher, write: Write) -> None:
     path = write("while True:\n    pygame.event.get()\n")
     watch.ended(path, 3, "completed no frame {}")

@@ -336,6 +336,7 @@ def test_ears_and_face_have_shorter_hair_than_the_back(shipped: Assets) -> None:
     assert lengths[(x > 0.7) & (y > 0.0)].max() < 0.5 * back
 
 
+@pytest.mark.seldom(3, first=2)
 def test_hairs_lie_along_s_which_is_the_direction_they_are_combed_in() -> None:
     height = hair_texture()[..., 3].astype(float)
     # Along a hair neighbouring texels differ less than across it, over the edges of the tile, too.
@@ -348,6 +349,7 @@ def test_hairs_lie_along_s_which_is_the_direction_they_are_combed_in() -> None:
         assert s @ COMBED > 0.7
 
 
+@pytest.mark.seldom(3)
 def test_in_each_mip_level_hairs_differ_in_height_as_in_the_first() -> None:
     levels = kept_apart(hair_texture())
     first = levels[0][..., 3].std()

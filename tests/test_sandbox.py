@@ -115,6 +115,7 @@ def test_a_loop_is_ended_in_a_python_of_its_own(
     assert error is not None and error["word"] == word
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_defect_in_the_process_of_a_program_is_told_with_its_traceback(
     way: str, tmp_path: Path
 ) -> None:

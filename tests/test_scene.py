@@ -89,6 +89,7 @@ def test_the_scene_is_walked_on_the_null_platform(tmp_path: Path) -> None:
     assert (tmp_path / "b").read_text() == record.read_text()
 
 
+@pytest.mark.seldom(10, first=4)
 def test_the_scene_is_traced(tmp_path: Path) -> None:
     calls = landscape("trace", "board", "--json").json()
     vertices = [call for call in calls if call["name"] == "glVertex3f"]
@@ -200,6 +201,7 @@ def test_a_walk_with_another_preset_takes_the_place_and_the_fix() -> None:
     assert island.as_walked(fixed, "best").settings == {"rabbit.mapping": "axis"}
 
 
+@pytest.mark.seldom(3, first=2)
 def test_view_names_are_unique_and_presets_and_elements_are_those_of_the_scene() -> None:
     names = [view["name"] for view in listed_views()]
     assert len(names) == len(set(names))
@@ -258,7 +260,7 @@ def test_a_view_below_the_ground_of_another_island_is_raised_above_it() -> None:
         assert raised(pose, Hill(), 0.1) == pose
 
 
-@pytest.mark.seldom(7, first=1)
+@pytest.mark.seldom(10, first=1)
 def test_no_named_view_of_ours_is_below_the_ground() -> None:
     kind = scene("island")
     for view in kind.views.values():

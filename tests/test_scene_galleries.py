@@ -79,6 +79,7 @@ def test_a_step_names_a_view_and_elements_and_settings_of_its_scene(name: str) -
             assert not kind.notices(kind.views[step.view], None, step.settings, step.only or None)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_each_picture_and_pair_of_a_gallery_is_drawn_by_its_name() -> None:
     for name in ("hall", "voxel", "flyover"):
         whole = gallery([name])

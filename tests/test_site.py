@@ -107,7 +107,7 @@ def test_a_function_is_indexed_with_its_variants_and_who_calls_it(
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.sweep(8, first=5)
+@pytest.mark.sweep(14, first=5)
 def test_the_page_of_a_lesson_holds_its_whole_program(
     language: str, site: Any, tmp_path: Path
 ) -> None:

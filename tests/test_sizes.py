@@ -97,6 +97,7 @@ def fine_screen() -> Iterator[dict[str, str]]:
         end(server)
 
 
+@pytest.mark.seldom(3)
 def test_a_window_is_larger_on_a_fine_screen_unless_its_size_is_asked_for(fine_screen) -> None:
     code = """
 import sys

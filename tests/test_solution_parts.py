@@ -126,6 +126,7 @@ def test_parts_that_fit_nowhere_end_in_one_line(parts: str, tags: str, expected:
     assert str(told.value).startswith(expected)
 
 
+@pytest.mark.seldom(3)
 def test_the_solutions_of_the_course_keep_only_what_differs() -> None:
     for name in NAMES:
         folder = exercise(name).folder

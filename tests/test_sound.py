@@ -66,6 +66,7 @@ def stood(name: str, x: float, z: float, seconds: float, kt: float = 0.0) -> np.
     return mix(score, 0, round(seconds * RATE))
 
 
+@pytest.mark.seldom(3)
 def test_two_runs_are_equal_and_blocks_of_any_size_too() -> None:
     whole = mix(walked(1.2), 0, RATE)
     assert whole.dtype == np.float32 and whole.shape == (RATE, 2)

@@ -281,6 +281,7 @@ def test_limits_are_those_of_the_specification(name, index, args, limits) -> Non
     assert spec.limits(name, index, tuple(map(value, args))) == limits
 
 
+@pytest.mark.seldom(3, first=1)
 def test_what_is_written_is_read_as_the_same_value() -> None:
     for function in spec.functions().values():
         for form in function.forms:

@@ -121,6 +121,7 @@ def test_steps_are_the_elements_in_the_order_in_which_they_draw(plain_view: Seen
     assert plain_view.passes == ["main", "reflection", "main", "overlay"]
 
 
+@pytest.mark.sweep(10)
 def test_each_call_belongs_to_one_step(view: Seen) -> None:
     assert view.calls == view.every
 

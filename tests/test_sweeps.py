@@ -35,6 +35,17 @@ def test_each_case_of_a_sweep_has_run_after_as_many_days(count: int, every: int)
     assert sorted(each for day in days for each in day) == sorted(item.nodeid for item in items)
 
 
+@pytest.mark.parametrize(("count", "every"), [(100, 14), (9, 3), (2, 8)])
+def test_neighbours_run_on_the_same_day_and_each_case_has_run_after_as_many_days(
+    count: int, every: int
+) -> None:
+    marker = pytest.mark.sweep(every, first=1, neighbours=True).mark
+    items = [case("test_one", number, marker) for number in range(count)]
+    days = [left(items, day) for day in range(-1, every - 1)]
+    assert [name for day in days for name in day] == [item.nodeid for item in items]
+    assert max(map(len, days)) <= -(-count // every)
+
+
 def test_sweeps_through_one_list_take_other_cases_of_it_on_each_day() -> None:
     items = cases("test_one", 6, 2) + cases("test_other", 6, 2, first=1)
     for day in range(4):

@@ -310,7 +310,7 @@ print(json.dumps(seen))
 """
 
 
-@pytest.mark.seldom(10, first=2)
+@pytest.mark.seldom(13, first=2)
 def test_who_leaves_while_a_scene_is_built_need_not_wait_until_it_is_there(tmp_path: Path) -> None:
     done = python(LEAVES, env=environment(LANG="C", LANDSCAPE_CACHE=str(tmp_path)))
     assert done.status == 0, done.err

@@ -131,6 +131,7 @@ def test_rounding_that_grows_with_each_key_is_allowed_for(tmp_path: Path) -> Non
         assert grader.check(path).passed
 
 
+@pytest.mark.seldom(10, first=6)
 def test_state_that_is_set_in_a_display_list_is_not_told_of(grader: Grader, tmp_path: Path) -> None:
     changes = [("glFogi(GL_FOG_MODE, GL_EXP2)", "glFogi(GL_FOG_MODE, GL_EXP)")]
     _name, more, _tests = OTHERWISE["the state is set in a display list"]

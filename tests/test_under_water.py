@@ -109,6 +109,7 @@ def test_the_far_bed_is_lost_in_the_water_and_the_surface_is_not(
     assert rows[1] > 2 * rows[7], "waves"
 
 
+@pytest.mark.seldom(3)
 def test_waves_break_the_mirror_image_of_the_dragon(
     stage: Stage, islands: dict[bool, Island], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -23,6 +23,7 @@ def opened(only: tuple[str, ...] = ("map",), regions: int = 6) -> Offscreen:
     return Offscreen(SIZE, samples=0, place="voxel", settings=settings, only=only)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_each_column_has_its_top_blocks_colour_and_water_that_of_its_depth() -> None:
     with opened() as view:
         view.look(ABOVE)
@@ -104,6 +105,7 @@ def test_the_map_switches_off_and_has_changed_blocks_when_it_is_on_again() -> No
         assert rows.max() < 35 and columns.max() < 35
 
 
+@pytest.mark.seldom(3, first=2)
 def test_with_wireframe_the_sky_shows_through_the_land() -> None:
     with opened(("land", "sky"), regions=3) as view:
         view.look((0.6, 2.2, 4.2, 45.0, -20.0))

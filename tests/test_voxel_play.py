@@ -690,6 +690,7 @@ print(json.dumps({"live": live.seen, "again": again.seen == live.seen, "same": s
 
 
 @pytest.mark.parametrize("dug", [False, True])
+@pytest.mark.sweep(10)
 def test_a_fix_on_another_land_is_shown_unless_blocks_were_changed(
     dug: bool, tmp_path: Path
 ) -> None:
@@ -721,7 +722,7 @@ def walked(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     return done.json() | {"folder": folder}
 
 
-@pytest.mark.seldom(7, first=1)
+@pytest.mark.seldom(13, first=1)
 def test_a_drag_looks_and_a_click_digs_places_or_picks(walked: dict[str, Any]) -> None:
     changes, slots, yaws, strokes, _, _ = zip(*walked["live"], strict=True)
     assert changes[13] == 0 and yaws[13] == pytest.approx(40 + 20 * 0.12), "the drag dug nothing"
@@ -760,7 +761,7 @@ def render(folder: Path, name: str, *words: str) -> np.ndarray:
     return np.asarray(Image.open(folder / name)).astype(int)
 
 
-@pytest.mark.seldom(7, first=1)
+@pytest.mark.seldom(10, first=1)
 def test_a_saved_world_is_rendered_with_its_changes(walked: dict[str, Any]) -> None:
     folder = walked["folder"]
     with_it = render(folder, "a.png", "--world", str(folder / "my.world"))

@@ -193,6 +193,7 @@ def counted(view: Offscreen) -> list[int]:
     return sent
 
 
+@pytest.mark.seldom(3, first=2)
 def test_in_a_walk_another_squares_depths_are_drawn_over_several_frames_and_then_shown() -> None:
     with opened(**COARSE) as view:
         still = frame_at(view, 1.6, walking=False)

@@ -106,6 +106,7 @@ print(json.dumps(seen))
 """
 
 
+@pytest.mark.seldom(3, first=2)
 def test_the_window_flies_along_the_path_and_walks_on_from_there(tmp_path: Path) -> None:
     file = written(tmp_path, svg(image(), layer(path(ROUND))))
     done = python(FLOWN, str(file), env=environment())

@@ -461,6 +461,7 @@ print(*said)
 """
 
 
+@pytest.mark.seldom(10, first=3)
 def test_in_a_walk_from_a_fix_the_key_switches_that_fix() -> None:
     done = python(FIXED, env=environment())
     assert (done.status, done.out.split()) == (0, ["catmull_rom", "none", "catmull_rom"]), done.err
@@ -756,6 +757,7 @@ print(json.dumps(seen))
 """
 
 
+@pytest.mark.seldom(13, first=9)
 def test_escape_shuts_the_list_of_keys_before_it_ends_the_walk() -> None:
     done = python(ESCAPED, env=environment(LANG="C"))
     assert done.status == 0, done.err
@@ -797,6 +799,7 @@ print(json.dumps(seen))
 """
 
 
+@pytest.mark.seldom(3)
 def test_the_help_does_not_hide_a_list_that_is_opened_within_the_same_frame() -> None:
     done = python(HURRIED, env=environment(LANG="C"))
     assert done.status == 0, done.err
@@ -825,6 +828,7 @@ print(json.dumps(seen))
 """
 
 
+@pytest.mark.seldom(3, first=1)
 def test_whoever_goes_to_a_fix_and_flies_there_is_told_so() -> None:
     done = python(FLOWN_TO, env=environment(LANG="C"))
     assert done.status == 0, done.err

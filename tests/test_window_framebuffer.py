@@ -66,7 +66,7 @@ def test_a_program_finds_its_window_as_it_would_be(hidden, backend: str, tmp_pat
     assert out.exists()
 
 
-@pytest.mark.seldom(3, first=2)
+@pytest.mark.seldom(10, first=2)
 @pytest.mark.parametrize("backend", ["glfw", "cgl"])
 def test_state_and_pixels_are_told_as_of_a_window(hidden, backend: str) -> None:
     state = hidden(backend, "state", PROGRAM, "--json").json()

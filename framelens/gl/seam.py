@@ -230,9 +230,13 @@ class Seam:
 
     @contextmanager
     def unnoted(self) -> Iterator[None]:
-        """Make the block's calls without a note of them and without edits: a tool's own calls."""
+        """Make the block's calls without a note of them and without edits: a tool's own calls.
+
+        Passes that begin in the block end with it.
+        """
         attributes = self.namespace.__dict__
-        with self.using(recorder=None, edits=None, open_list=None, lists={}):
+        pass_ = self.state.pass_
+        with self.using(recorder=None, edits=None, open_list=None, lists={}, pass_=pass_):
             self.namespace.__dict__ = self.plain
             try:
                 yield

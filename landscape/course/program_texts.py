@@ -41,6 +41,8 @@ def texts(source: str) -> list[str]:
 
 def marked(source: str) -> list[tuple[str, str]]:
     """Return the texts of a module's calls _(text, context), in their order; the context or ""."""
+    if "_(" not in source:
+        return []
     found = []
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Call) and ast.unparse(node.func) == "_":

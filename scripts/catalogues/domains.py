@@ -64,7 +64,9 @@ def in_code(*patterns: str) -> Iterator[Message]:
     for path in sorted({path for pattern in patterns for path in ROOT.glob(pattern)}):
         source = path.relative_to(ROOT).as_posix()
         code = path.read_text(encoding="utf-8")
-        for text, context in (*program_texts.marked(code), *_tables(ast.parse(code))):
+        # Reading a file as text first saves parsing those without any.
+        tables = _tables(ast.parse(code)) if any(f": {name} =" in code for name in TABLES) else ()
+        for text, context in (*program_texts.marked(code), *tables):
             yield Message(text, source, context)
 
 
@@ -89,8 +91,11 @@ ERROR_TABLES = ("framelens/base/errors.py", "framelens/commands/parser.py")
 def errors(package: str) -> Iterator[Message]:
     """Yield the templates of a package's errors."""
     for path in sorted((ROOT / package).rglob("*.py")):
-        code = ast.parse(path.read_text(encoding="utf-8"))
+        written = path.read_text(encoding="utf-8")
         source = path.relative_to(ROOT).as_posix()
+        if source not in ERROR_TABLES and not any(f"{name}(" in written for name in ERRORS):
+            continue
+        code = ast.parse(written)
         calls = [node for node in ast.walk(code) if isinstance(node, ast.Call) and node.args]
         named = [node for node in code.body if isinstance(node, ast.Assign)]
         constants = {ast.unparse(node.targets[0]): node.value for node in named}
