@@ -201,6 +201,7 @@ def test_the_glfw_backend_without_a_display_ends_with_status_3() -> None:
         ("auto", "OSMesa,EGL,GL,glfw", NO_GLFW if WINDOWS else advice.install("egl")),
     ],
 )
+@pytest.mark.sweep(2)
 def test_a_missing_library_ends_with_status_3_and_names_the_package(
     backend: str, hidden: str, package: str, tmp_path: Path
 ) -> None:

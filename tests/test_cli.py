@@ -128,6 +128,7 @@ def test_the_version_is_that_of_the_package(shell: Shell) -> None:
 
 
 @pytest.mark.parametrize("command", ALL, ids=" ".join)
+@pytest.mark.sweep(3)
 def test_every_option_has_help_that_names_its_default(command: tuple[str, ...]) -> None:
     parser: Any = build_parser()
     for word in command:
@@ -144,6 +145,7 @@ def test_every_option_has_help_that_names_its_default(command: tuple[str, ...]) 
 
 
 @pytest.mark.parametrize("command", ALL, ids=" ".join)
+@pytest.mark.sweep(3)
 def test_an_empty_text_is_no_path(command: tuple[str, ...]) -> None:
     parser: Any = build_parser()
     for word in command:
@@ -257,6 +259,7 @@ def test_the_example_in_the_help_parses(command: str, shell: Shell) -> None:
 # --- JSON output -------------------------------------------------------------------------------
 
 
+@pytest.mark.seldom(3)
 def test_views_json_lists_names_figures_poses_kt_and_presets(shell: Shell) -> None:
     found = shell("views", "--json").json()
     assert isinstance(found, list)
@@ -271,6 +274,7 @@ def test_views_json_lists_names_figures_poses_kt_and_presets(shell: Shell) -> No
     assert found[names.index("fig35a")]["figure"] == "35 a"
 
 
+@pytest.mark.seldom(3, first=1)
 def test_views_prints_one_line_per_view(shell: Shell) -> None:
     lines = shell("views").out.splitlines()
     island = [line.split()[0] for line in lines if line.split()[1] == "island"]

@@ -139,6 +139,7 @@ class Lost:
 @pytest.mark.parametrize(
     ("how", "line"), [("scheduler", "the engine is gone"), ("workers", "a process was killed")]
 )
+@pytest.mark.sweep(4)
 def test_without_parts_the_loss_of_a_cluster_is_told_in_a_line(how: str, line: str) -> None:
     distributed = pytest.importorskip("distributed", reason="needs the extra `cluster`")
     killed = distributed.KilledWorker("task", None, 3)
@@ -186,6 +187,7 @@ def test_without_dask_a_line_says_what_to_install(monkeypatch: pytest.MonkeyPatc
         pass
 
 
+@pytest.mark.seldom(3, first=2)
 def test_jobs_and_an_engine_exclude_each_other(shell: Shell, tmp_path: Path) -> None:
     words = ["film", "fig2a", "--out", tmp_path / "a.gif", "--engine", "tcp://127.0.0.1:1"]
     refused(shell(*words, "--jobs", "2"), "--engine: not with --jobs")

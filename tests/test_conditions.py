@@ -98,6 +98,7 @@ def test_a_setting_from_a_file_is_told_too(shell: Shell) -> None:
     assert (done.status, done.err) == (0, f"landscape: setting fog.end: {why}\n")
 
 
+@pytest.mark.seldom(3)
 def test_what_changes_one_of_several_views_is_not_told(shell: Shell) -> None:
     words = ("render", "fig4a", "fig4b", *SMALL, *GROUND, "--out", "out", "--set")
     assert shell(*words, "ground.detail_repeat=9").err == ""

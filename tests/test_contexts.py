@@ -101,6 +101,7 @@ except NoOpenGLError as error:
 
 
 @linux
+@pytest.mark.seldom(3, first=1)
 def test_auto_goes_on_from_an_osmesa_that_lacks_a_function() -> None:
     need_library("EGL")
     code = """
@@ -163,6 +164,7 @@ except NoOpenGLError as error:
 
 @linux
 @pytest.mark.parametrize("device", [True, False])
+@pytest.mark.sweep(4)
 def test_egl_draws_by_software_if_asked_to(device: bool) -> None:
     need_library("EGL")
     code = """
@@ -182,6 +184,7 @@ print(os.environ.get("LIBGL_ALWAYS_SOFTWARE"))
 
 
 @linux
+@pytest.mark.seldom(3, first=2)
 def test_egl_draws_by_a_device_where_a_driver_has_no_other_display() -> None:
     need_library("EGL")
     code = """

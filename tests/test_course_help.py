@@ -57,6 +57,7 @@ def explained(done: Done) -> set[str]:
         (("lecture", "no_such.txt"), "no_such.txt: ne peut pas être lu"),
     ],
 )
+@pytest.mark.sweep(4)
 def test_errors_are_in_the_language_asked_for(
     words: tuple[str, ...], said: str, shell: Shell
 ) -> None:

@@ -261,6 +261,7 @@ def test_a_file_brings_the_same_edits_back(density: Located, tmp_path: Path) -> 
     assert read(tmp_path / "edits.json") == edits
 
 
+@pytest.mark.seldom(3, first=2)
 def test_the_same_call_left_out_draws_as_without_it(density: Located) -> None:
     case = CASES["fog density"]
     edits = Edits([density.without()])

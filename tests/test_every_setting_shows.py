@@ -362,6 +362,7 @@ def test_a_setting_of_best_shows_beside_the_others_of_best(
 
 
 @pytest.mark.parametrize("key", ONLY_CALLS)
+@pytest.mark.sweep(3)
 def test_a_setting_that_saves_work_changes_the_calls_and_not_the_picture(
     stage: Stage, islands: dict[Any, Island], key: str
 ) -> None:

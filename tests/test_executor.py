@@ -49,6 +49,7 @@ def refuse(number: int) -> int:
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
+@pytest.mark.sweep(4)
 def test_results_come_in_order_and_a_result_depends_on_no_process(jobs: int) -> None:
     with executor(jobs) as workers:
         assert list(in_order(workers, square, range(50), ahead(jobs))) == [

@@ -197,6 +197,7 @@ def test_tests_that_need_a_failed_one_are_not_made(grader: Grader, tmp_path: Pat
     jsonschema.validate(shown | {"cause": None}, json.loads(schema.read_text("utf-8")))
 
 
+@pytest.mark.seldom(3)
 def test_a_hint_names_the_students_own_line(grader: Grader, tmp_path: Path) -> None:
     code = mutants(exercise("missing_enable"))["function_only"].of(solved("missing_enable"))
     line = code.splitlines().index("    glDepthFunc(GL_LESS)") + 1

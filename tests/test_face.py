@@ -187,6 +187,7 @@ def test_a_wrong_setting_is_refused_by_its_key(change: dict[str, Any]) -> None:
     ],
     ids=str,
 )
+@pytest.mark.sweep(4)
 def test_settings_may_be_nested_and_values_numpys(
     given: dict[str, Any], key: str, value: Any, the_stage: Stage
 ) -> None:

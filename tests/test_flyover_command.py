@@ -47,6 +47,7 @@ def test_it_draws_where_neither_opengl_nor_glfw_can_be_imported(tmp_path: Path) 
     assert done.stdout.split() == [str(tmp_path / f"frame-0000{n}.png") for n in (0, 1)]
 
 
+@pytest.mark.seldom(3)
 def test_each_frame_is_drawn_from_its_own_time(tmp_path: Path) -> None:
     file = tmp_path / "a.png"
     words = ["flyover", *SMALL, "--fps", "0.5", "--frames", "3", "--out", str(tmp_path), "-q"]
@@ -61,6 +62,7 @@ def test_each_frame_is_drawn_from_its_own_time(tmp_path: Path) -> None:
             assert np.array_equal(np.asarray(image), wanted), name
 
 
+@pytest.mark.seldom(3, first=1)
 def test_a_flight_to_files_begins_at_its_second_and_ends_with_the_flight(tmp_path: Path) -> None:
     environment = open_environment("island")
     last = math.floor(environment.duration(Settings().flyover)) - 1

@@ -30,6 +30,7 @@ def hills(side: int = 64, seed: int = 1) -> HeightField:
     return height_field(image, Settings().flyover)
 
 
+@pytest.mark.seldom(3)
 def test_a_frame_is_drawn_where_opengl_and_glfw_cannot_be_imported() -> None:
     program = """
 import sys
@@ -125,6 +126,7 @@ def one_by_one(field: HeightField, camera: Camera, size: tuple[int, int]) -> np.
     return picture
 
 
+@pytest.mark.seldom(3, first=2)
 def test_frames_are_those_of_a_program_that_draws_triangle_by_triangle() -> None:
     field = hills(16)
     random = np.random.default_rng(1)

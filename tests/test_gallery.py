@@ -172,6 +172,7 @@ def test_a_small_image_is_enlarged_and_centred_on_grey() -> None:
     assert (picture[~red] == BACKGROUND).all()
 
 
+@pytest.mark.seldom(3, first=1)
 def test_check_passes_what_was_just_made_and_shows_what_differs(tmp_path: Path) -> None:
     kept, out = tmp_path / "kept", tmp_path / "out"
     assert make(["fig23a"], kept, {}, quiet=True) == [kept / "fig23a.png"]

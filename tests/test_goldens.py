@@ -181,6 +181,7 @@ def test_a_sword_stroke_matches_its_golden_picture(
 
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("preset", ["2006", "best"])
+@pytest.mark.sweep(2)
 def test_a_whole_scene_matches_its_golden_picture(
     stage: Stage,
     islands: dict[str, Island],

@@ -177,6 +177,7 @@ def test_two_lights_darken_what_neither_reaches_once_each(stage, hall) -> None:
 
 @pytest.mark.parametrize("light", ["torch", "sun", "both"])
 @pytest.mark.parametrize("pose", [AT_WALL, AT_FLOOR], ids=["wall", "floor"])
+@pytest.mark.sweep(3)
 def test_a_relit_surface_is_in_each_part_what_its_light_maps_say(stage, hall, pose, light) -> None:
     lights = ("sun", "torch") if light == "both" else (light,)
     given = {"shadow.light": light}

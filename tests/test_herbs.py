@@ -76,6 +76,7 @@ def shown(stage: Stage, sprites: RefinedSprites, pose: Pose = NORTH, **changes: 
 
 
 @pytest.mark.parametrize("cell", [0, PLANT, *range(HERB, HERB + len(HERBS))])
+@pytest.mark.sweep(3)
 def test_each_kind_shows_its_own_picture_near_and_far(
     stage: Stage, sprites: RefinedSprites, cell: int
 ) -> None:

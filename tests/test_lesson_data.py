@@ -23,6 +23,7 @@ SLOW = ("planet.png", "sky.jpg")  # of these only small ones are made
 
 
 @pytest.mark.parametrize("name", [name for name in MAKERS if name not in SLOW])
+@pytest.mark.sweep(3)
 def test_a_file_is_made_again_as_it_is(name: str) -> None:
     if name == "letters.png" and not _has_font():
         pytest.skip(f"the font {FONT[0]} is not installed")

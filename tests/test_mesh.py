@@ -224,6 +224,7 @@ def sphere(rings: int = 40) -> Mesh:
 
 
 @pytest.mark.parametrize("cube", [0.05, 0.2])
+@pytest.mark.sweep(4)
 def test_vertex_clustering_moves_the_surface_by_less_than_a_cube(cube: float) -> None:
     fine = sphere()
     coarse = clustered(fine, cube)

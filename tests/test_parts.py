@@ -54,6 +54,7 @@ def pictures(log: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("ending", [".mp4", ".gif"])
+@pytest.mark.sweep(4)
 def test_a_second_run_draws_what_is_missing_and_the_film_is_the_same(
     tmp_path: Path, ending: str
 ) -> None:

@@ -69,6 +69,7 @@ def said(code: str) -> ProgramError:
 
 
 @pytest.mark.parametrize("name", EXCEPTIONS)
+@pytest.mark.sweep(3)
 def test_whatever_an_exception_does_it_is_named_with_its_line(name: str) -> None:
     code, reason = EXCEPTIONS[name]
     error = said(code)

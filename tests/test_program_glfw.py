@@ -90,6 +90,7 @@ def test_what_is_set_up_belongs_to_frame_0(watch: Watcher) -> None:
         ("from OpenGL.GL.VERSION.GL_1_1 import *", ""),
     ],
 )
+@pytest.mark.sweep(3)
 def test_calls_are_seen_however_opengl_is_imported(
     watch: Watcher, write: Write, begin: str, gl: str
 ) -> None:

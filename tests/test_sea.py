@@ -329,6 +329,7 @@ def test_a_sea_draws_applied_settings_as_if_built_from_them(stage: Stage, plain:
     ],
     ids=lambda change: next(iter(change)),
 )
+@pytest.mark.sweep(3)
 def test_a_sea_refuses_settings_that_need_a_rebuild_and_stays_unchanged(
     stage: Stage, plain: Assets, change: dict
 ) -> None:

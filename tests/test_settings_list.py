@@ -174,6 +174,7 @@ SIZES = [(640, 480), (1280, 720), (1920, 1080), (320, 240), (60, 40)]
 
 @pytest.mark.parametrize("language", ["en", "fr"])
 @pytest.mark.parametrize("size", SIZES)
+@pytest.mark.sweep(3)
 def test_the_picture_of_the_list_fits_and_shows_the_chosen_row(size, language: str) -> None:
     pictures = []
     for name in ("camera.fov", "water.query", "fog.end"):

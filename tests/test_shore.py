@@ -33,6 +33,7 @@ def island(shape: str) -> np.ndarray:
 
 @pytest.mark.parametrize("smooth", ["none", "catmull_rom"])
 @pytest.mark.parametrize("shape", ["plateau", "hill"])
+@pytest.mark.sweep(2)
 def test_what_is_drawn_above_the_water_has_the_colours_of_land(shape: str, smooth: str) -> None:
     ground = with_settings(Settings(), {"ground.resolution": 60, "ground.smooth": smooth}).ground
     image = island(shape)

@@ -87,6 +87,7 @@ def test_interlaced_frames_add_up_to_the_picture_of_full_size(
 
 @pytest.mark.parametrize("name", ["2006", "best"])
 @pytest.mark.parametrize("detail", [WALKING[-1].detail, Detail(scale=0.6), STANDING[3].detail])
+@pytest.mark.sweep(3)
 def test_a_stretched_picture_shows_the_same_place(
     stage: Stage, stretch: Stretch, islands: dict[str, Island], name: str, detail: Detail
 ) -> None:

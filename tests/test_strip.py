@@ -377,6 +377,7 @@ def test_outputs_that_cannot_be_written_are_refused(tmp_path: Path, name: str, w
         checked_out(tmp_path / name, "fig35e")
 
 
+@pytest.mark.seldom(3, first=2)
 def test_more_pictures_than_a_sheet_can_show_are_refused_in_one_line(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -150,6 +150,7 @@ def test_the_mirrored_ground_beside_the_eye_is_fine(stage: Stage, shipped: Asset
 
 @pytest.mark.parametrize("pose", POSES)
 @pytest.mark.parametrize("materials", [False, True])
+@pytest.mark.sweep(3)
 def test_no_pixel_changes_when_tiles_out_of_view_are_skipped(
     stage: Stage, shipped: Assets, pose: Pose, materials: bool
 ) -> None:
@@ -203,6 +204,7 @@ def material_picture(stage: Stage, folder: Any, large: tuple[int, int, int], ste
         ((110, 110, 108), False, 160),  # grey: rock
     ],
 )
+@pytest.mark.sweep(2)
 def test_each_kind_of_ground_has_its_own_detail(
     stage: Stage, plain_folder, large: tuple[int, int, int], steep: bool, detail: int
 ) -> None:

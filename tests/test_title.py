@@ -404,6 +404,7 @@ def test_captions_and_lists_are_not_in_the_picture_of_the_last_walk(tmp_path: Pa
 
 
 @pytest.mark.parametrize("order", ["preferences", "landmarks"])
+@pytest.mark.sweep(4)
 def test_after_a_list_a_message_is_shown_as_a_replay_shows_it_which_opens_none(order: str) -> None:
     kind = scene("hall")
     plan = Plan("hall", kind.settings, "hall", Pose(1.6, None, 2.6), (320, 240), only=("floor",))

@@ -70,6 +70,7 @@ def test_on_another_renderer_the_comparison_fails_on_a_picture_shifted_by_one_pi
     ("name", "missing"),
     [("voxel_bay", "land"), ("voxel_castle", "sky"), ("voxel_cliff", "water")],
 )
+@pytest.mark.sweep(3)
 def test_on_another_renderer_the_comparison_fails_when_one_element_is_missing(
     stage: Stage, island: Voxel, name: str, missing: str
 ) -> None:

@@ -57,6 +57,7 @@ def corner(view: Offscreen) -> np.ndarray:
     return view.draw()[EDGE : EDGE + SIDE, EDGE : EDGE + SIDE].astype(int)
 
 
+@pytest.mark.seldom(3, first=1)
 def test_an_arrow_is_where_the_walker_is_and_turns_with_the_view() -> None:
     with opened() as view:
         found = []
@@ -69,6 +70,7 @@ def test_an_arrow_is_where_the_walker_is_and_turns_with_the_view() -> None:
         assert (found[2] != found[3]).any()
 
 
+@pytest.mark.seldom(3)
 def test_beyond_the_border_the_arrow_waits_at_the_maps_edge() -> None:
     with opened() as view:
         view.look(ABOVE)

@@ -98,6 +98,7 @@ def test_a_picture_that_is_not_drawn_is_not_shown() -> None:
 
 
 @pytest.mark.parametrize("end", [BEHIND_LAND, (4.8, 1.5, 4.8, 0.0, 60.0)])
+@pytest.mark.sweep(4)
 def test_textures_that_are_shown_are_those_of_the_frame_whatever_was_seen_before(
     end: tuple[float, ...],
 ) -> None:

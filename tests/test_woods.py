@@ -87,6 +87,7 @@ def test_one_species_is_the_fern_of_2006_and_more_are_as_many_herbs() -> None:
         assert set(grown(plants__species=species).cells) == set(range(HERB, HERB + species))
 
 
+@pytest.mark.seldom(3, first=1)
 def test_ferns_stand_in_woods_and_flowers_in_the_open_both_on_green_ground() -> None:
     sprites, woods = grown(), woodland(5)
     of_kind = {cell: sprites.positions[sprites.cells == cell] for cell in range(FERN, HEATHER + 1)}
