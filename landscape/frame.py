@@ -194,9 +194,16 @@ class Frame:
         ahead = -self.back
         top = math.tan(math.radians(self.fov) / 2)
         side = top * self.size[0] / self.size[1]
+        # A shifted picture shows less at its right and top, and more at its left and bottom.
+        moved, raised = (2.0 * top / self.size[1] * each for each in self.detail.shift)
         across, rise = self.right, self.up
-        planes = [ahead * side - across, ahead * side + across, ahead * top - rise]
-        return np.stack([*planes, ahead * top + rise, ahead], axis=1)
+        planes = [
+            ahead * (side - moved) - across,
+            ahead * (side + moved) + across,
+            ahead * (top - raised) - rise,
+            ahead * (top + raised) + rise,
+        ]
+        return np.stack([*planes, ahead], axis=1)
 
     @cached_property
     def frustum_rows(self) -> list[list[float]]:

@@ -21,6 +21,7 @@ from framelens.tape.tape import Tape
 from landscape.files.assets import Assets
 from landscape.frame import SEED, Pose, checked_pose
 from landscape.geometry.digging import Diggable, read_world
+from landscape.scene.lens import Lens
 from landscape.scene.scene import (
     SCENES,
     Moment,
@@ -62,6 +63,7 @@ class Offscreen:
     # Until __init__ is called, which that of a class derived from this may forget.
     _owned: OwnedContext | None = None
     _target: Target | None = None
+    _lens: Lens | None = None
     _place: Scene | None = None
     scene: OpenScene | None = None
 
@@ -99,6 +101,7 @@ class Offscreen:
         backend = arguments.choice(backend, "backend", arguments.BACKENDS)
         self._assets = Assets(None if assets is None else arguments.folder(assets, "assets"))
         self.moment = Moment(Pose(20.0, 1.0, 20.0), self.size)
+        self._lens = Lens(self.size)
         self._owned = OwnedContext(self, backend)
 
         try:
@@ -176,7 +179,12 @@ class Offscreen:
         moment = self.moment if kt is None else replace(self.moment, kt=arguments.number(kt, "kt"))
         with self._current():
             opened = self.scene or self._open(self._place or scene(), View("pose", "", moment.pose))
-            opened.draw(moment)
+            self.send(opened, moment)
+
+    def send(self, opened: OpenScene, moment: Moment) -> None:
+        """Send a moment of a scene that is open in this context, seen through its camera's lens."""
+        assert self._lens is not None
+        self._lens.draw(moment, opened.settings.camera, opened.draw)
 
     @contextmanager
     def taped(
@@ -237,7 +245,7 @@ class Offscreen:
 
         In another thread the context is only marked: it is destroyed later, in its own thread.
         """
-        owned, parts = self._owned, (self.scene, self._target)
+        owned, parts = self._owned, (self.scene, self._target, self._lens)
         if owned is not None:
             if owned.here:
                 with owned.current():

@@ -130,7 +130,7 @@ class _Opened:
         moment = replace(offscreen.moment, size=self._size, tile=tile, detail=detail)
         opened = offscreen.scene
         assert opened is not None
-        return offscreen.picture(lambda: opened.draw(moment))
+        return offscreen.picture(lambda: offscreen.send(opened, moment))
 
     def close(self) -> None:
         """Release what is open."""

@@ -21,6 +21,7 @@ from landscape.frame import Pose
 from landscape.island.fixes import FIXES
 from landscape.island.island import ELEMENTS, Island
 from landscape.island.slots import SLOTS
+from landscape.scene.lens import Lens
 from landscape.scene.scene import Moment, placed
 from landscape.settings.declare import fields, get, with_settings
 from landscape.settings.notices import WALK, conditions, ignored
@@ -107,6 +108,9 @@ SHOTS = {
     "castle.depth": Shot(DOOR, ("castle",), {"castle.ornate": True, "castle.open": True}),
     "castle.glow": replace(GROUPS["castle"], settings={"castle.ornate": True}),
     "castle.weathered": replace(GROUPS["castle"], settings={"castle.ornate": True}),
+    "camera.lens": replace(GROUPS["camera"], value=0.02),
+    "camera.focus": replace(GROUPS["camera"], settings={"camera.lens": 0.02}, value=4.0),
+    "camera.lens_points": replace(GROUPS["camera"], settings={"camera.lens": 0.02}, value=2),
     "camera.near": replace(GROUPS["camera"], value=2.0),
     "camera.far": replace(GROUPS["camera"], value=3.0),
     "camera.lod_pixels": replace(GROUPS["camera"], value=20.0),
@@ -274,9 +278,11 @@ def drawn(stage: Stage, island: Island, shot: Shot, lines: bool = False) -> np.n
     """Return the second of two pictures, as an occlusion query answers a frame later."""
     pose = placed(shot.pose, island, island.settings.walk.eye)
     moment = Moment(pose, SIZE, shot.kt, 3.0, shot.stroke, lines)
+    lens = Lens(SIZE)
     with stage.borrowed():
-        island.draw(moment)
-        island.draw(moment)
+        for _ in range(2):
+            lens.draw(moment, island.settings.camera, island.draw)
+        lens.release()
         return stage.read()
 
 
@@ -380,6 +386,8 @@ def vain(preset: str) -> list[tuple[str, str]]:
     """Return the keys that have no effect beside the others of a preset, and the preset."""
     settings = small({**PRESETS[preset], **FEW})
     found = [key for key in KEYS if ignored(settings, key, (*ELEMENTS, WALK), ELEMENTS, SLOTS)]
+    # A walk shows everything sharp; what is drawn here is a still.
+    found.remove("camera.lens")
     assert len(found) > 5
     return [(key, preset) for key in found]
 

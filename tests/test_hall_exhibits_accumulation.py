@@ -10,9 +10,10 @@ from framelens.gl import extensions
 from framelens.gl.seam import gl, recording
 from landscape.frame import Pose
 from landscape.geometry.planar import shadows_of
+from landscape.gl.accumulating import disc, shifts
 from landscape.hall import plan
 from landscape.hall.exhibits import accumulation
-from landscape.hall.exhibits.accumulation import Accumulation, disc, shifts
+from landscape.hall.exhibits.accumulation import Accumulation
 from landscape.hall.exhibits.cabinet import Cabinet
 from landscape.hall.exhibits.depth_of_field import lens
 from landscape.hall.exhibits.niche import SOFT, lamp

@@ -73,7 +73,7 @@ class Stage:
         """Return the picture of a moment, uint8 (h, w, 3), top row first."""
 
         def drawn(each: Moment) -> np.ndarray:
-            return self.offscreen.picture(lambda: opened.draw(each))
+            return self.offscreen.picture(lambda: self.offscreen.send(opened, each))
 
         drawing, eye = self.drawing, opened.settings.walk.eye
         return picture(drawing.rig, drawing.size, moment, eye, drawn)

@@ -35,6 +35,7 @@ FEATURES |= {
     "doubled textures": Feature((COMBINE,)),
     "separate glints": Feature((SPECULAR,)),
     "fog.radial": Feature((FOG_DISTANCE,)),
+    "camera.lens": Feature((*PICTURE, FLOAT_TEXTURES)),
     # The island.
     "ground.detail_texture": Feature((COMBINE,), 2),
     "ground.materials": Feature((COMBINE, CROSSBAR), 4),

@@ -46,8 +46,8 @@ from landscape.elements import sun
 from landscape.elements.element import Element
 from landscape.frame import Frame
 from landscape.geometry.planar import misprinted_matrix, shadows_of
+from landscape.gl.accumulating import disc
 from landscape.hall import plan
-from landscape.hall.exhibits.accumulation import disc
 from landscape.hall.exhibits.picture import Part, draw_within, part_of_polygon
 from landscape.hall.mirror import FLOOR
 from landscape.hall.settings import Settings, Shadow

@@ -9,6 +9,7 @@ CLOSE_VIEWS = (
         "waves run up the sand before one's feet",
         Pose(14.0, 0.9, 30.0, 165.0, -22.0),
         80.0,
+        settings={"camera.lens": 0.002, "camera.focus": 0.3},
     ),
     View(
         "close_water",
@@ -21,6 +22,7 @@ CLOSE_VIEWS = (
         "the meadow, seen from the height of a knee",
         Pose(20.55, 1.06, 24.13, 200.0, -12.0),
         40.0,
+        settings={"camera.lens": 0.0018, "camera.focus": 0.15},
     ),
     View(
         "close_oak",
@@ -33,7 +35,7 @@ CLOSE_VIEWS = (
         "boulders among rock, a step away",
         Pose(29.6, None, 20.8, 330.0, -20.0),
         20.0,
-        settings={"ground.ledges": 0.7},
+        settings={"ground.ledges": 0.7, "camera.lens": 0.004, "camera.focus": 0.25},
     ),
     View(
         "close_wall",
@@ -46,6 +48,7 @@ CLOSE_VIEWS = (
         "ivy on the castle's tower, a step away",
         Pose(27.25, None, 17.8, 340.0, 8.0),
         40.0,
+        settings={"camera.lens": 0.004, "camera.focus": 0.17},
     ),
     View(
         "close_gate",
@@ -58,12 +61,14 @@ CLOSE_VIEWS = (
         "a stag in high grass",
         Pose(22.25, 1.14, 25.05, 345.0, -5.0),
         40.0,
+        settings={"camera.lens": 0.001, "camera.focus": 0.42},
     ),
     View(
         "close_rabbit",
         "the rabbit among blades of grass",
         Pose(20.6, 1.08, 23.9, 218.0, -8.0),
         40.0,
+        settings={"camera.lens": 0.002, "camera.focus": 0.26},
     ),
     View(
         "close_dragon",
@@ -76,6 +81,6 @@ CLOSE_VIEWS = (
         "the peak from its foot, with ledges and gullies",
         Pose(16.0, None, 9.0, 250.0, 10.0),
         20.0,
-        settings={"ground.ledges": 0.7},
+        settings={"ground.ledges": 0.7, "camera.lens": 0.004, "camera.focus": 0.35},
     ),
 )

@@ -510,7 +510,8 @@ def _near_plane(moment: Moment, camera: Camera) -> tuple[float, float, float, fl
     if moment.tile is not None:
         for k, side in enumerate(moment.size):
             begin, length = moment.tile.block[k], moment.tile.block[k + 2]
-            edges += [pixel * (begin - side / 2), pixel * (begin + length - side / 2)]
+            middle = side / 2 + moment.detail.shift[k]
+            edges += [pixel * (begin - middle), pixel * (begin + length - middle)]
         return edges[0], edges[1], edges[2], edges[3]
     for side, shift in zip(moment.size, moment.detail.shift, strict=True):
         low = -pixel * (side / 2 + shift)

@@ -154,8 +154,8 @@ def ignored(
             failed += known
     if not failed:
         return None
-    if any(term.name == WALK for term in failed):
-        return Message("ignored outside a walk")
+    if walk := next((term for term in failed if term.name == WALK), None):
+        return Message("ignored in a walk") if walk.negated else Message("ignored outside a walk")
     return Message("ignored while {reasons}", reasons=listed(_reasons(settings, failed)))
 
 

@@ -23,3 +23,23 @@ class Camera:
         needs=("rabbit or dragon",),
     )
     far: float = setting(120.0, "chosen", "distance of the far plane", 1, 1e5, unit=UNITS)
+    lens: float = setting(
+        0.0,
+        "chosen",
+        "radius of the lens, which blurs what is out of focus in stills, films and posters",
+        0,
+        1,
+        unit=UNITS,
+        needs=("not walk",),
+    )
+    focus: float = setting(
+        0.5, "chosen", "distance of what is sharp", 0.01, 1e4, unit=UNITS, needs=("camera.lens",)
+    )
+    lens_points: int = setting(
+        48,
+        "chosen",
+        "how many points of the lens are used at most; each draws the scene once",
+        1,
+        256,
+        needs=("camera.lens",),
+    )

@@ -18,11 +18,12 @@ from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.clustering import clustered
 from landscape.geometry.mesh import gathered, scaled
+from landscape.gl.accumulating import disc
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
 from landscape.hall.exhibits import niche
-from landscape.hall.exhibits.accumulation import Accumulation, disc
+from landscape.hall.exhibits.accumulation import Accumulation
 from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import FOCUS, MIDDLE, TOP, lit_by, shiny
 from landscape.hall.settings import Settings

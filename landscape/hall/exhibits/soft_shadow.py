@@ -24,10 +24,11 @@ from landscape.files.assets import Assets
 from landscape.frame import Frame
 from landscape.geometry.mesh import Mesh, merged, revolve
 from landscape.geometry.planar import shadow_matrix
+from landscape.gl.accumulating import disc
 from landscape.gl.display_list import DisplayList
 from landscape.gl.draw import draw_mesh
 from landscape.hall import plan
-from landscape.hall.exhibits.accumulation import Accumulation, disc
+from landscape.hall.exhibits.accumulation import Accumulation
 from landscape.hall.exhibits.exhibit import Exhibit
 from landscape.hall.exhibits.niche import (
     INSET,

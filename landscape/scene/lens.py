@@ -1,0 +1,155 @@
+"""A lens in place of a pinhole: what is nearer or farther than the focus is blurred.
+
+Technique: the light that meets in one point of a photograph came through all of the lens. The frame
+is drawn from several points of the lens (Haeberli and Akeley, The Accumulation Buffer, SIGGRAPH
+1990), each time with its frustum sheared so that the plane of focus stays where it is in the
+picture, and the mean of these pictures is shown. A point at distance d, with the focus at f,
+becomes a disc of the radius lens * abs(1/f - 1/d), at distance 1.
+
+glAccum has the mean in a buffer that few contexts still have. Here it is a texture of
+floating-point numbers, to which a quad adds each picture, divided by their number (GL_ONE, GL_ONE).
+Each picture is also shifted by another part of a pixel, so that edges are smooth without
+multisampling.
+
+What is wrong without its safeguard: if only the eye moves, and not the frustum, everything is
+blurred, and what is near the most.
+State used: framebuffer objects, GL_BLEND, GL_TEXTURE_2D, viewport, both matrices; depth test, fog
+and lighting off.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from framelens.gl.extensions import tell
+from framelens.gl.seam import drawing, gl
+from framelens.gl.state import attrib, flat_projection
+from landscape.elements.settings import Camera
+from landscape.frame import Pose
+from landscape.gl.accumulating import clear, disc, quad, shifts
+from landscape.gl.features import possible
+from landscape.gl.texture_target import TextureTarget
+from landscape.scene.scene import Moment
+
+FEWEST = 8  # chosen: points of the lens that are used where the blur is smaller than a pixel
+SPACING = 2.0  # chosen: pixels between the images of one thing from neighbouring points
+NEAREST = 0.1  # chosen: units: what is nearer may show that the points are few
+
+
+def axes(pose: Pose) -> tuple[np.ndarray, np.ndarray]:
+    """Return the camera's right and up at a pose, float64 (3,) each."""
+    yaw, roll = math.radians(pose.yaw), math.radians(pose.roll)
+    level = np.array([math.cos(yaw), 0.0, math.sin(yaw)])
+    above = np.cross(level, pose.forward)
+    right = math.cos(roll) * level + math.sin(roll) * above
+    return right, np.cross(right, pose.forward)
+
+
+def blur(camera: Camera, height: int, distance: float) -> float:
+    """Return the radius in pixels of the disc that a point at a distance in units becomes."""
+    return camera.lens * abs(1.0 / camera.focus - 1.0 / distance) * _pixels(camera, height)
+
+
+def points(camera: Camera, height: int) -> int:
+    """Return how many points of the lens a picture of ``height`` pixels is drawn from.
+
+    As many as its blur needs, so that a small picture takes fewer.
+    """
+    largest = max(blur(camera, height, distance) for distance in (NEAREST, math.inf))
+    needed = math.pi * (largest / SPACING) ** 2
+    return min(max(math.ceil(needed), FEWEST), camera.lens_points)
+
+
+def through(moment: Moment, camera: Camera) -> Iterator[Moment]:
+    """Yield the moment as it is seen from each point of the lens."""
+    pose = moment.pose
+    assert pose.y is not None
+    right, up = axes(pose)
+    count = points(camera, moment.size[1])
+    pixels = _pixels(camera, moment.size[1])
+
+    for (across, rise), shift in zip(disc(count) * camera.lens, shifts(count), strict=True):
+        x, y, z = (float(each) for each in across * right + rise * up)
+        moved = replace(pose, x=pose.x + x, y=pose.y + y, z=pose.z + z)
+        # The eye moves to the right, so what is in focus would move to the left in the picture.
+        sheared = shift + np.array([across, rise]) / camera.focus * pixels
+        detail = replace(moment.detail, shift=(float(sheared[0]), float(sheared[1])))
+        yield replace(moment, pose=moved, detail=detail)
+
+
+def _pixels(camera: Camera, height: int) -> float:
+    """Return the height in pixels of an object one unit high, one unit away."""
+    return height / (2.0 * math.tan(math.radians(camera.fov) / 2))
+
+
+class Lens:
+    """Owner of the textures that the mean takes; they are made when first needed."""
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        """Create nothing yet; ``size`` is that of the framebuffer, in pixels."""
+        self.size = size
+        self._one: TextureTarget | None = None  # the picture from one point of the lens
+        self._mean: TextureTarget | None = None
+
+    def draw(self, moment: Moment, camera: Camera, draw: Callable[[Moment], None]) -> None:
+        """Let ``draw`` draw a moment, through the lens of a camera if it has one."""
+        if not camera.lens or not self._opened():
+            draw(moment)
+            return
+        assert self._one is not None
+        assert self._mean is not None
+        seen = list(through(moment, camera))
+
+        for number, each in enumerate(seen):
+            with self._one.drawing(clear=False):
+                draw(each)
+            with drawing("lens"), self._mean.drawing(clear=False):
+                if number == 0:
+                    clear(self.size, (0.0, 0.0, 0.0, 0.0))
+                gl.glViewport(0, 0, *self.size)
+                _add(self._one, 1.0 / len(seen))
+
+        with drawing("lens"):
+            gl.glViewport(0, 0, *self.size)
+            _add(self._mean, 1.0, over=True)
+
+    def _opened(self) -> bool:
+        """Make the textures; return whether this OpenGL can draw into them."""
+        if not possible("camera.lens"):
+            return False
+        if self._mean is None:
+            self._one = TextureTarget(self.size)
+            self._mean = TextureTarget(self.size, "RGBA32F")
+            if not self._mean.complete:
+                tell("camera.lens: off, for this OpenGL draws into no GL_RGBA32F texture")
+        return self._mean.complete
+
+    def release(self) -> None:
+        """Delete the textures; may be called twice."""
+        for target in (self._one, self._mean):
+            if target is not None:
+                target.release()
+        self._one = self._mean = None
+
+
+def _add(target: TextureTarget, weight: float, over: bool = False) -> None:
+    """Add a texture's picture, times ``weight``, to all of the framebuffer, or draw it ``over``."""
+    groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
+    with attrib(groups), flat_projection():
+        for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING, gl.GL_CULL_FACE):
+            gl.glDisable(off)
+        if over:
+            gl.glDisable(gl.GL_BLEND)
+        else:
+            gl.glEnable(gl.GL_BLEND)
+            gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        target.bind()
+        for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
+            gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_NEAREST)
+        gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+        gl.glColor4f(weight, weight, weight, weight)
+        quad((0.0, 0.0, 1.0, 1.0), (-1.0, -1.0, 1.0, 1.0), 0.0)
+    gl.glColor4f(1.0, 1.0, 1.0, 1.0)
