@@ -22,6 +22,8 @@ HELD = replace(SCENE.views["hall"].pose, yaw=103.0)
 SWORD = ("sword",)
 TINTED = {"sun.tint": (0.5, 0.6, 0.7)}
 SHOTS = {
+    "camera.focus": Shot("hall", {"camera.lens": 0.02}, 4.0),
+    "camera.lens_points": Shot("hall", {"camera.lens": 0.02}, 2),
     "walk.eye": Shot("hall_contrast"),
     "sun.tint": Shot(HELD, only=SWORD),
     "sun.relit": Shot(HELD, TINTED, only=SWORD),

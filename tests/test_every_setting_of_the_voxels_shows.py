@@ -21,6 +21,8 @@ SHOTS = {
     "time": Shot("voxel_bay", value="sunset"),
     "camera.near": Shot("voxel_castle", value=5.0),
     "camera.far": Shot("voxel_castle", value=5.0),
+    "camera.focus": Shot("voxel_castle", {"camera.lens": 0.05}, 4.0),
+    "camera.lens_points": Shot("voxel_castle", {"camera.lens": 0.05}, 2),
     "walk.eye": Shot("voxel_shadow", value=0.5),
     "sun.tint": Shot(HELD, only=SWORD),
     "sun.shade": Shot(HELD, TINTED | {"sun.relit": True}, only=SWORD),
