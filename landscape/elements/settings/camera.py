@@ -38,8 +38,9 @@ class Camera:
     lens_points: int = setting(
         48,
         "chosen",
-        "how many points of the lens are used at most; each draws the scene once",
+        "points of the lens that are used at most; each draws the scene once",
         1,
         256,
+        unit="points",
         needs=("camera.lens",),
     )
