@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
+from types import ModuleType
 from typing import Any, NoReturn, Protocol
 
 from framelens.base import arguments
@@ -143,12 +144,19 @@ def add_commands(
             epilog=f"{translate('example: ')}{example}",
             formatter_class=partial(HelpFormatter, translate),
         )
-        if hasattr(module, "run"):
-            module.add_arguments(sub)
-            sub.set_defaults(run=module.run)
-        else:
-            below[name] = sub.add_subparsers(metavar="ACTION", parser_class=Parser)
-            sub.set_defaults(run=print_help(sub))
+        below |= _actions(name, sub, module)
+
+
+def _actions(
+    name: str, sub: Parser, module: ModuleType
+) -> "dict[str, argparse._SubParsersAction[Parser]]":
+    """Let a command's parser run its module; return where its actions go, if it only has these."""
+    if hasattr(module, "run"):
+        module.add_arguments(sub)
+        sub.set_defaults(run=module.run)
+        return {}
+    sub.set_defaults(run=print_help(sub))
+    return {name: sub.add_subparsers(metavar="ACTION", parser_class=Parser)}
 
 
 def parted(words: list[str], programs: Collection[str]) -> tuple[list[str], list[str]]:

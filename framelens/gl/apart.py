@@ -37,20 +37,7 @@ def apart(size: tuple[int, int]) -> Iterator[None]:
     if target:
         gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, 0)
     _plain_units()
-    for name in SPOILERS:
-        gl.glDisable(gl_constant(f"GL_{name}"))
-    gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)
-    gl.glColorMask(True, True, True, True)
-    gl.glDrawBuffer(gl.GL_BACK if gl.glGetIntegerv(gl.GL_DOUBLEBUFFER) else gl.GL_FRONT)
-    gl.glViewport(0, 0, *size)
-    gl.glEnable(gl.GL_TEXTURE_2D)
-    gl.glEnable(gl.GL_BLEND)
-    gl.glBlendEquation(gl.GL_FUNC_ADD)
-    gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-    gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
-    for kind in ("UNPACK", "PACK"):
-        for name in ("ROW_LENGTH", "SKIP_ROWS", "SKIP_PIXELS", "SWAP_BYTES", "LSB_FIRST"):
-            gl.glPixelStorei(gl_constant(f"GL_{kind}_{name}"), 0)
+    _let_textures_blend(size)
 
     # The stacks may be full.
     saved = {name: np.array(gl.glGetDoublev(gl_constant(f"GL_{name}_MATRIX"))) for name in MATRICES}
@@ -70,6 +57,24 @@ def apart(size: tuple[int, int]) -> Iterator[None]:
             gl.glBindFramebuffer(gl.GL_FRAMEBUFFER, target)
         gl.glPopClientAttrib()
         gl.glPopAttrib()
+
+
+def _let_textures_blend(size: tuple[int, int]) -> None:
+    """Let textures be blended over the whole of a window, and images lie in memory without gaps."""
+    for name in SPOILERS:
+        gl.glDisable(gl_constant(f"GL_{name}"))
+    gl.glPolygonMode(gl.GL_FRONT_AND_BACK, gl.GL_FILL)
+    gl.glColorMask(True, True, True, True)
+    gl.glDrawBuffer(gl.GL_BACK if gl.glGetIntegerv(gl.GL_DOUBLEBUFFER) else gl.GL_FRONT)
+    gl.glViewport(0, 0, *size)
+    gl.glEnable(gl.GL_TEXTURE_2D)
+    gl.glEnable(gl.GL_BLEND)
+    gl.glBlendEquation(gl.GL_FUNC_ADD)
+    gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+    gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
+    for kind in ("UNPACK", "PACK"):
+        for name in ("ROW_LENGTH", "SKIP_ROWS", "SKIP_PIXELS", "SWAP_BYTES", "LSB_FIRST"):
+            gl.glPixelStorei(gl_constant(f"GL_{kind}_{name}"), 0)
 
 
 def _plain_units() -> None:

@@ -232,6 +232,15 @@ class _Draw:
             if text.endswith("…") and text != span.text:
                 break
 
+    def _end(self, y: float, line: Line) -> float:
+        """Draw what stands at the right end of a row; return where it begins."""
+        right = float(self.width - self.pixels)
+        for span in reversed(line.end):
+            right -= self._length(span.text)
+            self._text(right, y, span.text, span.style)
+            right -= self.pixels / 2
+        return right
+
     def row(self, y: float, line: Line) -> None:
         """Draw a row of the list."""
         pixels, edge = self.pixels, self.pixels // 2
@@ -239,11 +248,7 @@ class _Draw:
             self._draw.rectangle((edge, y - 1, self.width - edge, y + self.line - 3), CHOSEN)
         if line.target is not None:
             self.boxes.append((0, y, self.width, y + self.line, line.target))
-        right = float(self.width - pixels)
-        for span in reversed(line.end):
-            right -= self._length(span.text)
-            self._text(right, y, span.text, span.style)
-            right -= pixels / 2
+        right = self._end(y, line)
 
         # Passes and elements stand at the left edge, as calls have a number there.
         left = pixels + line.depth * STEP * pixels

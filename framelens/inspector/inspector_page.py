@@ -11,6 +11,8 @@ from framelens.inspector.inspector_tree import Node
 from framelens.inspector.inspector_values import Cell, cells, current
 from framelens.inspector.inspector_words import arithmetic
 from framelens.spec import spec
+from framelens.tape.edits import Edit, Located
+from framelens.tape.effects import Effect
 from framelens.tape.names import element, pass_name
 from framelens.tape.pixel import Row
 
@@ -87,21 +89,19 @@ def _line(model: Inspector, node: Node, index: int, language: str) -> Line:
         name = Span(_name(model, node, language), style)
         return Line("", node.depth, sign, (name,), (count,), target, chosen)
 
-    off = model.is_off(node.found)
-    edited = bool(model.edits_of(node.found))
-    effect = model.effects.get(node.place)
-    end = []
-    if node.folded:
-        end.append(count)
+    edits = model.edits_of(node.found)
+    args = current(node.call, edits)
+    spans = code(node.name, args, "off" if model.is_off(node.found) else "")
+    end = (*([count] if node.folded else []), *_marks(model.effects.get(node.place), edits))
+    return Line(model.numbered(node.place), node.depth, sign, tuple(spans), end, target, chosen)
+
+
+def _marks(effect: Effect | None, edits: Sequence[Edit]) -> Iterator[Span]:
+    """Yield the signs at the end of a call's row: it changes nothing, it is edited."""
     if effect is not None and effect.redundant:
-        end.append(Span("=", "redundant"))
-    if edited:
-        end.append(Span("●", "edited"))
-    args = current(node.call, model.edits_of(node.found))
-    spans = code(node.name, args, "off" if off else "")
-    return Line(
-        model.numbered(node.place), node.depth, sign, tuple(spans), tuple(end), target, chosen
-    )
+        yield Span("=", "redundant")
+    if edits:
+        yield Span("●", "edited")
 
 
 def _name(model: Inspector, node: Node, language: str) -> str:
@@ -187,10 +187,14 @@ def details(model: Inspector, language: str) -> Iterator[Block]:
         about = words.counted(language, f"inspector.about_{node.kind}", node.count, name=name)
         yield Block((Span(about, "text"),))
         return
+    yield from _about_call(model, node, node.found, language)
 
-    call, edits = node.call, model.edits_of(node.found)
-    args = current(call, edits)
-    off = model.is_off(node.found)
+
+def _about_call(model: Inspector, node: Node, found: Located, language: str) -> Iterator[Block]:
+    """Yield what is said about a call: itself, its meaning, its source, its arguments."""
+    call = node.call
+    args = current(call, model.edits_of(found))
+    off = model.is_off(found)
     yield Block(tuple(code(call.name, args, "off" if off else "")))
     if off:
         yield Block((Span(words.text(language, "inspector.left_out"), "edited"),))
@@ -229,8 +233,12 @@ def _values(model: Inspector, call: Call, language: str) -> Iterator[Block]:
             spans += _cell(cell, before.get(cell.place), cell == chosen)
         yield Block(tuple(spans), label)
 
-    if chosen is None:
-        return
+    if chosen is not None:
+        yield from _meaning(model, call, chosen, language)
+
+
+def _meaning(model: Inspector, call: Call, chosen: Cell, language: str) -> Iterator[Block]:
+    """Yield what the chosen cell of a call means, and what may stand there."""
     args = current(call, model.edits_of(model.found) if model.found else ())
     meaning = spec.explain_argument(call.name, chosen.argument, args, language)
     texts = [meaning] if meaning else []

@@ -130,6 +130,18 @@ class _Glfw:
             self._double_buffered = bool(value)
         self._real.window_hint(hint, value)
 
+    def _hint(self) -> None:
+        """Ask for a window of the backend's kind, without antialiasing; only a live one is seen."""
+        real = self._real
+        real.window_hint(real.VISIBLE, self._run.live is not None)
+        real.window_hint(real.SAMPLES, 0)
+        if self._backend == "osmesa":
+            real.window_hint(real.CONTEXT_CREATION_API, real.OSMESA_CONTEXT_API)
+        elif self._backend != "glfw":
+            real.window_hint(real.CLIENT_API, real.NO_API)
+        else:
+            real.window_hint(real.CONTEXT_CREATION_API, real.NATIVE_CONTEXT_API)
+
     def create_window(
         self, width: int, height: int, title: object, monitor: object, share: object
     ) -> object:
@@ -144,15 +156,7 @@ class _Glfw:
                 self._run.live.attach(real, self._window, self._keys)
             return self._window
 
-        real.window_hint(real.VISIBLE, self._run.live is not None)
-        real.window_hint(real.SAMPLES, 0)
-        if self._backend == "osmesa":
-            real.window_hint(real.CONTEXT_CREATION_API, real.OSMESA_CONTEXT_API)
-        elif self._backend != "glfw":
-            real.window_hint(real.CLIENT_API, real.NO_API)
-        else:
-            real.window_hint(real.CONTEXT_CREATION_API, real.NATIVE_CONTEXT_API)
-
+        self._hint()
         self._size = self._run.sized(width, height)
         self._window = real.create_window(*self._size, title, None, None)
         if self._backend == "osmesa":

@@ -103,39 +103,44 @@ class Tones:
 
     def legend(self, name: str) -> Legend | None:
         """Return the legend of a buffer, after its pictures were made; None where it has none."""
-        language = self._language
         if name == "depth":
-            values = ticks(self._near, self._far) if self._logarithmic else self._even()
-            greys = self._grey(np.array(values)).tolist()
-            entries = [
-                ((grey, grey, grey), _short(language, value))
-                for grey, value in zip(greys, values, strict=True)
-            ]
-            heading = "legend.depth" if self._logarithmic else "legend.window_depth"
-            empty = (EMPTY, EMPTY, EMPTY), text(language, "nothing")
-            return Legend(text(language, heading), [*entries, empty])
-
+            return self._depth_legend()
         if name == "stencil":
-            present = sorted(self._stencil)
-            if not present:
-                return None
-            entries = [(stencil_color(value), str(value)) for value in present[:VALUES]]
-            if len(present) > VALUES:
-                left = text(language, "more", n=len(present) - VALUES)
-                entries.append(((128, 128, 128), left))
-            return Legend(text(language, "legend.stencil"), entries)
-
+            return self._stencil_legend() if self._stencil else None
         if name == "overdraw":
-            ends = [first for first, _ in LAYERS[1:]]
-            entries = [
-                (color, str(first) if end == first + 1 else f"{first}–{end - 1}")
-                for (first, color), end in zip(LAYERS, ends, strict=False)
-            ]
-            first, color = LAYERS[-1]
-            entries.append((color, text(language, "or_more", n=first)))
-            return Legend(text(language, "legend.overdraw"), entries)
-
+            return self._overdraw_legend()
         return None
+
+    def _depth_legend(self) -> Legend:
+        language = self._language
+        values = ticks(self._near, self._far) if self._logarithmic else self._even()
+        greys = self._grey(np.array(values)).tolist()
+        entries = [
+            ((grey, grey, grey), _short(language, value))
+            for grey, value in zip(greys, values, strict=True)
+        ]
+        heading = "legend.depth" if self._logarithmic else "legend.window_depth"
+        empty = (EMPTY, EMPTY, EMPTY), text(language, "nothing")
+        return Legend(text(language, heading), [*entries, empty])
+
+    def _stencil_legend(self) -> Legend:
+        language = self._language
+        present = sorted(self._stencil)
+        entries = [(stencil_color(value), str(value)) for value in present[:VALUES]]
+        if len(present) > VALUES:
+            left = text(language, "more", n=len(present) - VALUES)
+            entries.append(((128, 128, 128), left))
+        return Legend(text(language, "legend.stencil"), entries)
+
+    def _overdraw_legend(self) -> Legend:
+        ends = [first for first, _ in LAYERS[1:]]
+        entries = [
+            (color, str(first) if end == first + 1 else f"{first}–{end - 1}")
+            for (first, color), end in zip(LAYERS, ends, strict=False)
+        ]
+        first, color = LAYERS[-1]
+        entries.append((color, text(self._language, "or_more", n=first)))
+        return Legend(text(self._language, "legend.overdraw"), entries)
 
     def _even(self) -> list[float]:
         return [float(value) for value in np.linspace(self._near, self._far, TICKS)]

@@ -4,6 +4,7 @@ import io
 from collections.abc import Iterable
 
 from PIL import Image, ImageDraw
+from PIL.ImageFont import FreeTypeFont as Face
 
 from framelens.base.fonts import font, writable
 from framelens.report.strip_page import (
@@ -95,6 +96,39 @@ def _head(page: Page, width: int) -> Image.Image:
     return head.crop((0, 0, width, y + 22))
 
 
+def _paste_pictures(
+    block: Image.Image, page: Page, cell: Cell, box: tuple[int, int], face: Face | None
+) -> None:
+    """Draw a step's pictures side by side, with their names in a font if it is given."""
+    pen = ImageDraw.Draw(block)
+    for index, (name, picture) in enumerate(zip(page.buffers, cell.pictures, strict=True)):
+        x = index * (box[0] + INSIDE)
+        block.paste(scaled(picture, box, name == "stencil"), (x, 0))
+        pen.rectangle((x, 0, x + box[0] - 1, box[1] - 1), outline=RULE)
+        if face is not None:
+            what = writable(text(page.language, name), face)
+            pen.text((x, box[1] + 3), what, GREY, face, "la")
+
+
+def _lines(
+    page: Page, cell: Cell, across: int, indent: int, faces: tuple[Face, Face]
+) -> list[tuple[int, str, Face, tuple[int, int, int], int]]:
+    """Return the caption's lines: where they begin, text, font, colour and height in pixels."""
+    title, words = faces
+    texts = [*cell.lines, cell.calls]
+    if across >= WIDE:
+        texts = [text(page.language, "between").join(texts)]
+    lines = [
+        (indent, line, title, INK, round(SPACING * title.size))
+        for line in wrapped(cell.title, title, across - indent)
+    ]
+    return lines + [
+        (0, line, words, GREY, round(SPACING * words.size))
+        for each in texts
+        for line in wrapped(each, words, across)
+    ]
+
+
 def _block(page: Page, cell: Cell, box: tuple[int, int], side: int) -> Image.Image:
     """Draw a step: its pictures side by side, and the caption."""
     across = _width(page, box)
@@ -102,30 +136,12 @@ def _block(page: Page, cell: Cell, box: tuple[int, int], side: int) -> Image.Ima
     title, words = font(large, True), font(small)
     label = f"{cell.label}  "
     indent = round(title.getlength(label))
-    texts = [*cell.lines, cell.calls]
-    if across >= WIDE:
-        texts = [text(page.language, "between").join(texts)]
-    lines = [
-        (indent, line, title, INK, round(SPACING * large))
-        for line in wrapped(cell.title, title, across - indent)
-    ]
-    lines += [
-        (0, line, words, GREY, round(SPACING * small))
-        for each in texts
-        for line in wrapped(each, words, across)
-    ]
+    lines = _lines(page, cell, across, indent, (title, words))
     names = round(SPACING * small) if len(cell.pictures) > 1 else 0
     height = box[1] + INSIDE + names + sum(line[-1] for line in lines)
     block = Image.new("RGB", (across, height), PAPER)
     pen = ImageDraw.Draw(block)
-    for index, (name, picture) in enumerate(zip(page.buffers, cell.pictures, strict=True)):
-        x = index * (box[0] + INSIDE)
-        block.paste(scaled(picture, box, name == "stencil"), (x, 0))
-        pen.rectangle((x, 0, x + box[0] - 1, box[1] - 1), outline=RULE)
-        if names:
-            what = writable(text(page.language, name), words)
-            pen.text((x, box[1] + 3), what, GREY, words, "la")
-
+    _paste_pictures(block, page, cell, box, words if names else None)
     y = box[1] + INSIDE + names
     pen.text((0, y), writable(label, title), GREY, title, "la")
     for x, line, face, ink, step in lines:

@@ -105,14 +105,18 @@ def parsed(name: str, index: int, args: Sequence[Any], text: str) -> object:
         value = _checked(name, found, text)
         return np.array([value], _dtype(name, None)) if found.count == 1 else value
     if found.kind == "offset":
-        match = re.fullmatch(r"(?:ctypes\.c_void_p\()?(\d+)\)?", text)
-        if match:
-            return ctypes.c_void_p(int(match[1]))
-        return None if text == "None" else _refuse(name, found, text, "a number of bytes")
-
+        return _offset(name, found, text)
     raise InputError(
         "{call} {name}: an argument of this kind cannot be changed", call=name, name=found.name
     )
+
+
+def _offset(name: str, found: Parameter, text: str) -> object:
+    """Return a place in a buffer as ctypes has it, or None."""
+    match = re.fullmatch(r"(?:ctypes\.c_void_p\()?(\d+)\)?", text)
+    if match:
+        return ctypes.c_void_p(int(match[1]))
+    return None if text == "None" else _refuse(name, found, text, "a number of bytes")
 
 
 def _chosen(name: str, found: Parameter, allowed: Sequence[str], text: str) -> object:

@@ -2,6 +2,7 @@
 
 import ctypes
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from itertools import takewhile
 from typing import Any
 
@@ -192,52 +193,81 @@ def _set_rest(now: State, target: Mapping[str, object]) -> None:
     _set_together(now, target)
 
 
+@dataclass(frozen=True)
+class _Difference:
+    """Two states: the one that OpenGL has, and the one that it is to have."""
+
+    now: State
+    target: Values
+
+    def of(self, *names: str) -> bool:
+        """Return whether they differ in one of these variables."""
+        return any(self.now.get(name) != self.target.get(name) for name in names)
+
+    def values(self, *names: str) -> list[Any]:
+        """Return the numbers that these variables are to have, one after the other."""
+        return [value for name in names for value in _numbers(VARIABLES[name], self.target[name])]
+
+
 def _set_together(now: State, target: Values) -> None:
     """Set the variables that share a call with others, in ways the table does not describe."""
-
-    def differ(*names: str) -> bool:
-        return any(now.get(name) != target.get(name) for name in names)
-
-    def values(*names: str) -> list[Any]:
-        return [value for name in names for value in _numbers(VARIABLES[name], target[name])]
-
-    if differ("GL_CURRENT_SECONDARY_COLOR"):
+    states = _Difference(now, target)
+    if states.of("GL_CURRENT_SECONDARY_COLOR"):
         raw.glSecondaryColor3f(*target["GL_CURRENT_SECONDARY_COLOR"][:3])
-    if differ("GL_POLYGON_MODE"):
+    if states.of("GL_POLYGON_MODE"):
         for face, mode in zip(("GL_FRONT", "GL_BACK"), target["GL_POLYGON_MODE"], strict=True):
             raw.glPolygonMode(enum(face), enum(mode))
-    factors = [f"GL_BLEND_{way}_{part}" for part in ("RGB", "ALPHA") for way in ("SRC", "DST")]
-    if differ(*factors):
-        raw.glBlendFuncSeparate(*values(*factors))
+
     separate = "GL_BLEND_EQUATION_ALPHA" in now
-    if differ("GL_BLEND_EQUATION_RGB", "GL_BLEND_EQUATION_ALPHA"):
+    _set_blending(states, separate)
+    _set_stencil(states, separate)
+    _set_evaluators(states)
+
+
+def _set_blending(states: _Difference, separate: bool) -> None:
+    """Set how colours are blended; ``separate`` if alpha may have an equation of its own."""
+    factors = [f"GL_BLEND_{way}_{part}" for part in ("RGB", "ALPHA") for way in ("SRC", "DST")]
+    if states.of(*factors):
+        raw.glBlendFuncSeparate(*states.values(*factors))
+    if states.of("GL_BLEND_EQUATION_RGB", "GL_BLEND_EQUATION_ALPHA"):
         if separate:
-            equations = values("GL_BLEND_EQUATION_RGB", "GL_BLEND_EQUATION_ALPHA")
+            equations = states.values("GL_BLEND_EQUATION_RGB", "GL_BLEND_EQUATION_ALPHA")
             raw.glBlendEquationSeparate(*equations)
         else:
-            raw.glBlendEquation(*values("GL_BLEND_EQUATION_RGB"))
+            raw.glBlendEquation(*states.values("GL_BLEND_EQUATION_RGB"))
+
+
+def _set_stencil(states: _Difference, separate: bool) -> None:
+    """Set the stencil test; ``separate`` if the back of faces may have one of its own."""
     for face, prefix in (("GL_FRONT", "GL_STENCIL"), ("GL_BACK", "GL_STENCIL_BACK")):
-        if f"{prefix}_FUNC" not in now:
+        if f"{prefix}_FUNC" not in states.now:
             continue
         for function, parts in STENCIL.items():
             names = [f"{prefix}_{part}" for part in parts.split()]
-            if differ(*names):
-                if separate:
-                    getattr(raw, f"{function}Separate")(enum(face), *values(*names))
-                else:
-                    getattr(raw, function)(*values(*names))
+            if not states.of(*names):
+                continue
+            if separate:
+                getattr(raw, f"{function}Separate")(enum(face), *states.values(*names))
+            else:
+                getattr(raw, function)(*states.values(*names))
+
+
+def _set_evaluators(states: _Difference) -> None:
+    """Set the evaluators' grids and control points."""
     for k in (1, 2):
         grid = f"GL_MAP{k}_GRID_SEGMENTS", f"GL_MAP{k}_GRID_DOMAIN"
-        if differ(*grid):
-            segments, domain = map(values, grid)
+        if states.of(*grid):
+            segments, domain = map(states.values, grid)
             args = [v for j in range(k) for v in (segments[j], *domain[2 * j : 2 * j + 2])]
             getattr(raw, f"glMapGrid{k}f")(*args)
+
     raw.glActiveTexture(enum("GL_TEXTURE0"))  # with another one OpenGL refuses evaluators
     for variable in VARIABLES.values():
         if variable.query == "coefficients":
             shape = [f"{variable.asked[0]}.GL_{part}" for part in ("ORDER", "DOMAIN")]
-            if differ(variable.name, *shape):
-                _set_evaluator(variable, values(shape[0]), values(shape[1]), target[variable.name])
+            if states.of(variable.name, *shape):
+                order, domain = map(states.values, shape)
+                _set_evaluator(variable, order, domain, states.target[variable.name])
 
 
 def _set_evaluator(

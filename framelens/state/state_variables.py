@@ -68,6 +68,17 @@ class Variable:
 
 def variables() -> Iterator[Variable]:
     """Yield every variable, in the order in which they are listed."""
+    yield from _of_transform()
+    yield from _of_current_values()
+    yield from _of_lighting()
+    yield from _of_pictures()
+    yield from _of_evaluators()
+    yield from _plain("hints", HINT)
+    yield from _of_client()
+    yield from _of_stacks()
+
+
+def _of_transform() -> Iterator[Variable]:
     yield from _plain("transform", TRANSFORM[:3])
     yield _stack("GL_MODELVIEW_STACK")
     yield from _plain("transform", TRANSFORM[3:5])
@@ -82,6 +93,8 @@ def variables() -> Iterator[Variable]:
             f"{name}.equation", "transform", DOUBLE, nothing, "glGetClipPlane", (name,), None, how
         )
 
+
+def _of_current_values() -> Iterator[Variable]:
     yield from _plain("current values", CURRENT)
     for k in range(MOST):
         for name in ("GL_CURRENT_TEXTURE_COORDS", "GL_CURRENT_RASTER_TEXTURE_COORDS"):
@@ -89,6 +102,8 @@ def variables() -> Iterator[Variable]:
             row = (name, FLOAT, (0.0, 0.0, 0.0, 1.0), how)
             yield from _plain("current values", [row], k)
 
+
+def _of_lighting() -> Iterator[Variable]:
     yield from _plain("colouring and lighting", COLOURING)
     for face in ("GL_FRONT", "GL_BACK"):
         yield from _asked("colouring and lighting", "glGetMaterial", face, MATERIAL)
@@ -99,6 +114,9 @@ def variables() -> Iterator[Variable]:
         rows = [(row[0], row[1], white.get(row[0], row[2])) for row in LIGHT]
         yield from _asked("colouring and lighting", "glGetLight", name, rows)
 
+
+def _of_pictures() -> Iterator[Variable]:
+    """Yield what rasterization, textures and pixels depend on."""
     yield from _plain("rasterization", RASTERIZATION)
     yield Variable(
         *("GL_POLYGON_STIPPLE.pattern", "rasterization", LIST, (EVERY,) * 32),
@@ -112,15 +130,23 @@ def variables() -> Iterator[Variable]:
     yield from _plain("pixel transfer", PIXEL_STORE + PIXELS)
     for name in PIXEL_MAPS:
         yield Variable(name, "pixel transfer", LIST, (0.0,), "glGetPixelMapfv", (name,))
+
+
+def _of_evaluators() -> Iterator[Variable]:
     yield from _plain("evaluators", EVALUATORS)
     for dimensions in (1, 2):
         for name, point in EVALUATED.items():
             yield from _map(dimensions, f"GL_MAP{dimensions}_{name}", point)
-    yield from _plain("hints", HINT)
+
+
+def _of_client() -> Iterator[Variable]:
     yield from _plain("client", BINDINGS)
     for name in ARRAYS:
         for unit in range(MOST) if name == "GL_TEXTURE_COORD_ARRAY" else (None,):
             yield from _array(name, unit)
+
+
+def _of_stacks() -> Iterator[Variable]:
     yield from _plain("stacks, lists and modes", STACKS)
     for name in ("GL_SELECTION_BUFFER_POINTER", "GL_FEEDBACK_BUFFER_POINTER"):
         yield Variable(name, "stacks, lists and modes", POINTER, 0, "glGetPointerv", (name,))

@@ -268,8 +268,16 @@ def _program(process: int, truncates: bool) -> bytes:
         for number in _column(calls, column):
             code += _when(EQUAL, number, refused)
 
+    code += _by_arguments(column, process, refused)
+    return code + _instruction(RETURN, ALLOW)
+
+
+def _by_arguments(column: int, process: int, refused: int) -> bytes:
+    """Return the part of the filter that lets a call pass, or not, by its arguments."""
+    code = b""
     for number in _column(SIGNALS, column):
         code += _call(number, _load(_argument(0)) + _unless(EQUAL, process, refused))
+
     flags = [_unless(ANY_BIT, flag, refused) for flag in SHARED]
     flags.append(_when(ANY_BIT, NAMESPACES, refused))
     code += _call(CLONE[column], _load(_argument(0)) + b"".join(flags))
@@ -278,14 +286,18 @@ def _program(process: int, truncates: bool) -> bytes:
     for numbers, argument, values in VALUES.values():
         looks = [_when(EQUAL, value, refused) for value in values]
         code += _call(numbers[column], _load(_argument(argument)) + b"".join(looks))
+    code += _call(IOCTL[column], _of_devices(refused))
+    halves = (_load(_argument(2) + half) + _unless(EQUAL, 0, refused) for half in (0, 4))
+    return code + _call(PRLIMIT[column], b"".join(halves))
+
+
+def _of_devices(refused: int) -> bytes:
+    """Return the part of the filter that says what may be asked of devices, by ioctl."""
     asked = [_when(EQUAL, value, ALLOW) for value in HARMLESS]
     asked.append(_instruction(MASK, 0xFF00))
     asked += [_when(EQUAL, value, ALLOW) for value in DRIVERS]
     asked.append(_instruction(RETURN, refused))
-    code += _call(IOCTL[column], _load(_argument(1)) + b"".join(asked))
-    halves = (_load(_argument(2) + half) + _unless(EQUAL, 0, refused) for half in (0, 4))
-    code += _call(PRLIMIT[column], b"".join(halves))
-    return code + _instruction(RETURN, ALLOW)
+    return _load(_argument(1)) + b"".join(asked)
 
 
 def _column(calls: Numbers, column: int) -> list[int]:

@@ -213,6 +213,15 @@ class _History:
             return "clip", f"behind {names}"
         if self._scissored_away():
             return "scissor", f"outside the scissor box {number('GL_SCISSOR_BOX')}"
+        if failed := self._failed_test(draw):
+            return failed
+        if not any(np.ravel(number("GL_COLOR_WRITEMASK"))):
+            return "masked", "the colour mask lets no component through"
+        return "drawn", ""
+
+    def _failed_test(self, draw: Draws) -> tuple[str, str] | None:
+        """Return which of alpha, stencil and depth test a fragment fails, and why."""
+        probe = self._probe
         if enabled("GL_ALPHA_TEST") and not probe.count(draw, ["clip", "alpha"]):
             alpha = probe.fragment(draw)[0][3]
             compared = token(number("GL_ALPHA_TEST_FUNC"), COMPARISONS)
@@ -229,10 +238,21 @@ class _History:
             depth, held = probe.fragment(draw)[1], probe.read().depth
             compared = token(number("GL_DEPTH_FUNC"), COMPARISONS)
             return "depth", f"depth {depth:.6f} {compared} {held:.6f}: fails"
+        return None
 
-        if not any(np.ravel(number("GL_COLOR_WRITEMASK"))):
-            return "masked", "the colour mask lets no component through"
-        return "drawn", ""
+    def _of_unit(
+        self, draw: Draws, units: Sequence[int], place: int
+    ) -> tuple[str, dict[str, object]]:
+        """Return what one of the texture units makes of the colour, as text and as numbers."""
+        unit = units[place]
+        if missing := self._incomplete(unit):
+            return f"unit {unit}: {missing}", {"unit": unit, "incomplete": missing}
+        result = self._through(draw, units, place + 1)
+        texel = self._texel(draw, unit, units)
+        mode = self._mode(unit)
+        text = f"unit {unit}, {mode}, texel {colour(texel)}: {colour(result)}"
+        numbers = {"unit": unit, "mode": mode, "texel": _list(texel), "result": _list(result)}
+        return text, numbers
 
     def _arithmetic(
         self, draw: Draws, before: Pixel, parts: dict[str, Any]
@@ -250,19 +270,9 @@ class _History:
             value = self._through(draw, units, 0)
             texts.append(f"colour {colour(value)}")
             parts["primary"] = _list(value)
-            parts["units"] = []
-        for place, unit in enumerate(units):
-            if missing := self._incomplete(unit):
-                texts.append(f"unit {unit}: {missing}")
-                parts["units"].append({"unit": unit, "incomplete": missing})
-                continue
-            result = self._through(draw, units, place + 1)
-            texel = self._texel(draw, unit, units)
-            mode = self._mode(unit)
-            texts.append(f"unit {unit}, {mode}, texel {colour(texel)}: {colour(result)}")
-            parts["units"].append(
-                {"unit": unit, "mode": mode, "texel": _list(texel), "result": _list(result)}
-            )
+            steps = [self._of_unit(draw, units, place) for place in range(len(units))]
+            texts += [text for text, _ in steps]
+            parts["units"] = [numbers for _, numbers in steps]
         source, depth = probe.fragment(draw)
         if fog:
             plain = self._through(draw, units, len(units))
@@ -270,7 +280,7 @@ class _History:
             left, text = fogged(plain, source, haze)
             texts.append(text)
             parts["fog"] = {"factor": left, "color": _list(haze), "result": _list(source)}
-        result, text = Blend.now().mix(source, _unit(before))
+        _mixed, text = Blend.now().mix(source, _unit(before))
         texts.append(text)
         parts |= {"fragment": _list(source), "fragment_depth": depth}
         return "; ".join(texts), parts

@@ -443,18 +443,7 @@ def against_neighbours(found: Vertices) -> list[int]:
     """
     if found.mode not in ("GL_QUADS", "GL_TRIANGLES", "GL_POLYGON") or len(found.faces) < 4:
         return []
-    keys: dict[tuple[float, ...], int] = {}
-    ids = [
-        keys.setdefault(tuple(np.round(point, 4).tolist()), len(keys))
-        for point in found.positions[:MOST_EDGES]
-    ]
-    edges: dict[tuple[int, int], list[int]] = {}
-    for index, face in enumerate(found.faces):
-        if max(face) >= len(ids):
-            return []
-        for a, b in zip(face, face[1:] + face[:1], strict=True):
-            edges.setdefault((ids[a], ids[b]), []).append(index)
-
+    edges = _faces_along_edges(found)
     wrong: dict[int, int] = {}
     right: dict[int, int] = {}
     for (a, b), along in edges.items():
@@ -466,6 +455,25 @@ def against_neighbours(found: Vertices) -> list[int]:
 
     bad = [face for face, count in wrong.items() if count > right.get(face, 0)]
     return bad if len(bad) * 2 < len(found.faces) else []
+
+
+def _faces_along_edges(found: Vertices) -> dict[tuple[int, int], list[int]]:
+    """Return the faces that run along each edge from one place to another; none if too many.
+
+    Vertices at the same place are one.
+    """
+    keys: dict[tuple[float, ...], int] = {}
+    ids = [
+        keys.setdefault(tuple(np.round(point, 4).tolist()), len(keys))
+        for point in found.positions[:MOST_EDGES]
+    ]
+    edges: dict[tuple[int, int], list[int]] = {}
+    for index, face in enumerate(found.faces):
+        if max(face) >= len(ids):
+            return {}
+        for a, b in zip(face, face[1:] + face[:1], strict=True):
+            edges.setdefault((ids[a], ids[b]), []).append(index)
+    return edges
 
 
 MOST_EDGES = 20_000  # vertices that are looked at for shared edges; chosen

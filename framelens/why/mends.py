@@ -40,16 +40,11 @@ def mode_named(call: Call) -> str:
 
 def instead_of_glu(survey: Survey, note: GluCall, args: Sequence[float]) -> Change:
     """Return the change that calls GLU with other arguments."""
-    function = glu_function(note.name)
-    numbers = range(note.begin, note.end)
     frame = survey.tape.begin
     if note.begin < frame:
-        old, new = _glu_matrix(note.name, note.args), _glu_matrix(note.name, args)
-        mode = mode_at(survey, note)
-        if old is None or new is None or abs(np.linalg.det(old)) < 1e-12:
-            return Change(start=[load(mode, new)] if new is not None else ())
-        fixed = np.linalg.inv(old) @ new
-        return with_matrix(mode, lambda d: matrix_of(d, mode) @ fixed, survey.shapes)
+        return _instead_of_earlier(survey, note, args)
+    function = glu_function(note.name)
+    numbers = range(note.begin, note.end)
     instead: dict[str, Sequence[Action]] = {str(number): () for number in numbers}
     if not instead:
         if note.begin > frame:
@@ -57,6 +52,16 @@ def instead_of_glu(survey: Survey, note: GluCall, args: Sequence[float]) -> Chan
         return Change(before={str(note.begin): [lambda: function(*args)]})
     instead[str(note.begin)] = [lambda: function(*args)]
     return Change(instead=instead)
+
+
+def _instead_of_earlier(survey: Survey, note: GluCall, args: Sequence[float]) -> Change:
+    """Return the change that gives the frame the matrix of a call of GLU before it."""
+    old, new = _glu_matrix(note.name, note.args), _glu_matrix(note.name, args)
+    mode = mode_at(survey, note)
+    if old is None or new is None or abs(np.linalg.det(old)) < 1e-12:
+        return Change(start=[load(mode, new)] if new is not None else ())
+    fixed = np.linalg.inv(old) @ new
+    return with_matrix(mode, lambda d: matrix_of(d, mode) @ fixed, survey.shapes)
 
 
 def _glu_matrix(name: str, args: Sequence[object]) -> np.ndarray | None:
@@ -76,6 +81,12 @@ def always(matrix: np.ndarray) -> Callable[[Drawn], np.ndarray]:
     return lambda draw: matrix
 
 
+def _called_from(chain: Chain, function: str) -> tuple[Chain | None, int]:
+    """Return from where a function was called in a chain of calls, and its line; None if not."""
+    depth = next((k for k, (name, _) in enumerate(chain) if name == function), None)
+    return (None, 0) if depth is None else (chain[:depth], chain[depth][1])
+
+
 def undone(survey: Survey, function: str) -> Change | None:
     """Return the change that undoes, after each run of a function, what it did to the matrix."""
     before: dict[str, list[Action]] = {}
@@ -87,9 +98,7 @@ def undone(survey: Survey, function: str) -> Change | None:
         chain = chains.get(call.number)
         if chain is None:
             continue
-        depth = next((k for k, (name, _) in enumerate(chain) if name == function), None)
-        outer = chain[:depth] if depth is not None else None
-        line = chain[depth][1] if depth is not None else 0
+        outer, line = _called_from(chain, function)
         if run is not None and (outer != run[0] or line < run[1]):
             after.setdefault(last, []).append(("glPopMatrix", ()))
             run = None

@@ -162,9 +162,13 @@ def _pointer(
     if kind == "GL_COLOR_ARRAY":
         yield from _color_range(draw, call, data, wanted)
     if stored is not None:
-        array = stored[1]
-        row = array.dtype.itemsize * array.shape[-1] if array.ndim > 1 else 0
+        row = _row_bytes(stored[1])
         yield from _stride(draw, kind, call, buffer, stride, row, wanted.itemsize * size)
+
+
+def _row_bytes(array: np.ndarray) -> int:
+    """Return the bytes of a row of an array; 0 if it has a single one."""
+    return array.dtype.itemsize * array.shape[-1] if array.ndim > 1 else 0
 
 
 def _rows(draw: Drawn, buffer: int, buffers: UploadedArrays, pointer: object) -> np.ndarray | None:
@@ -408,15 +412,23 @@ def _indices(
     wanted = np.dtype(TYPES[kind])
     stored = buffers.data.get(bound.get(ELEMENTS, 0))
     if stored is not None and not isinstance(indices, np.ndarray):
-        upload, array = stored
-        if array.dtype.itemsize != wanted.itemsize:
-            converted = np.ascontiguousarray(array.astype(wanted))
-            change = Change(before={draw.place: [_refill(bound[ELEMENTS], converted, ELEMENTS)]})
-            yield _index_type(survey, draw, upload, array, kind, change, 95)
+        yield from _indices_in_buffer(survey, draw, bound[ELEMENTS], stored, kind)
     elif isinstance(indices, np.ndarray) and indices.dtype.itemsize != wanted.itemsize:
         converted = np.ascontiguousarray(indices.astype(wanted))
         change = Change(instead={draw.place: [(call.name, (*call.args[:-1], converted))]})
         yield _index_type(survey, draw, call, indices, kind, change, 90)
+
+
+def _indices_in_buffer(
+    survey: Survey, draw: Drawn, buffer: int, stored: tuple[Call, np.ndarray], kind: int
+) -> Iterator[Suspect]:
+    """Yield that a buffer's indices are of another type than the draw says."""
+    upload, array = stored
+    wanted = np.dtype(TYPES[kind])
+    if array.dtype.itemsize != wanted.itemsize:
+        converted = np.ascontiguousarray(array.astype(wanted))
+        change = Change(before={draw.place: [_refill(buffer, converted, ELEMENTS)]})
+        yield _index_type(survey, draw, upload, array, kind, change, 95)
 
 
 def _unknown_type(call: Call, kind: int) -> Suspect:

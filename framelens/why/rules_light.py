@@ -27,6 +27,8 @@ from framelens.why.suspects import (
 from framelens.why.trial import Action, Around, Change
 
 AHEAD = np.array((0.0, 0.0, -1.0))  # where the eye looks
+AWAY = "away"
+FACING = "facing"  # the eye
 LIGHTS = tuple(f"GL_LIGHT{k}" for k in range(8))
 
 
@@ -246,6 +248,12 @@ def _moved_away(mine: Sequence[Drawn]) -> Iterator[Suspect]:
 GRAZED, BRIGHT = 0.1, 0.25  # of a light, on average over what faces the eye; chosen
 
 
+def _ways(draw: Drawn, name: str, eye: np.ndarray) -> np.ndarray:
+    """Return the ways to a light (n, 3) from points in eye space (n, 3)."""
+    place = np.array(draw.state[f"{name}.GL_POSITION"], np.float64)
+    return place[:3] / place[3] - eye if place[3] else np.tile(place[:3], (len(eye), 1))
+
+
 def _share(draw: Drawn, name: str) -> float:
     """Return how much of a light falls on what faces the eye, 0 to 1; not a number if unknown."""
     found = draw.vertices
@@ -255,11 +263,10 @@ def _share(draw: Drawn, name: str) -> float:
     if not np.linalg.det(matrix[:3, :3]):
         return float("nan")
     eye = (found.positions @ matrix)[:, :3]
+    ways = _ways(draw, name, eye)
+    turned = found.normals @ np.linalg.inv(matrix[:3, :3]).T
     lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
     sight = eye if lensed else np.tile(AHEAD, (len(eye), 1))
-    place = np.array(draw.state[f"{name}.GL_POSITION"], np.float64)
-    ways = place[:3] / place[3] - eye if place[3] else np.tile(place[:3], (len(eye), 1))
-    turned = found.normals @ np.linalg.inv(matrix[:3, :3]).T
     facing = (turned * sight).sum(axis=1) < 0
     with np.errstate(all="ignore"):
         lengths = np.linalg.norm(turned, axis=1) * np.linalg.norm(ways, axis=1)
@@ -464,27 +471,33 @@ def _sides(draw: Drawn) -> tuple[int, int]:
     except np.linalg.LinAlgError:
         return 0, 0
 
-    facing = away = 0
-    winding = 1.0 if draw.state["GL_FRONT_FACE"] == "GL_CCW" else -1.0
-    lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
     solid = closed(draw)
-    for face in found.faces[:3000]:
-        if len(face) < 3:
-            continue
-        a = eye[face[0]]
-        b = eye[face[1]]
-        c = eye[face[2]]
-        sight = a if lensed else AHEAD
-        front = winding * np.cross(b - a, c - a)
-        if front @ sight >= 0:
-            # Turned away: of a closed shape it is hidden, of a sheet it is seen as well.
-            facing += not solid and turned[face[0]] @ sight < 0
-        elif front @ turned[face[0]] < 0:
-            away += 1
-        else:
-            facing += 1
+    lensed = perspective(draw.state["GL_PROJECTION_MATRIX"])
+    winding = 1.0 if draw.state["GL_FRONT_FACE"] == "GL_CCW" else -1.0
+    sides = [
+        _side(eye[face[:3]], turned[face[0]], winding, lensed, solid)
+        for face in found.faces[:3000]
+        if len(face) >= 3
+    ]
+    return sides.count(AWAY), sides.count(FACING)
 
-    return away, facing
+
+def _side(
+    corners: np.ndarray, normal: np.ndarray, winding: float, lensed: bool, solid: bool
+) -> str:
+    """Return whether a face's normal points AWAY from the eye or is FACING it; "" if hidden.
+
+    ``corners`` (3, 3) are three of its corners in eye space; ``winding`` is 1 if it is seen
+    counterclockwise from in front. It is ``lensed`` by a perspective, and of a ``solid`` or a
+    sheet.
+    """
+    a, b, c = corners
+    sight = a if lensed else AHEAD
+    front = winding * np.cross(b - a, c - a)
+    if front @ sight >= 0:
+        # Turned away: of a closed shape it is hidden, of a sheet it is seen as well.
+        return FACING if not solid and normal @ sight < 0 else ""
+    return AWAY if front @ normal < 0 else FACING
 
 
 def _two_sided_turned() -> None:
@@ -764,6 +777,22 @@ def _black_material(mine: Sequence[Drawn]) -> Iterator[Suspect]:
         )
 
 
+def _placed_before(survey: Survey, look: GluCall) -> list[Call]:
+    """Return the calls that place a light between the matrix's last reset and a camera."""
+    calls = survey.tape.calls
+    loaded = 0
+    for call in calls[: look.begin]:
+        if call.name == "glLoadIdentity":
+            loaded = call.number
+    return [
+        call
+        for call in calls[loaded : look.begin]
+        if call.name.startswith("glLight")
+        and len(call.args) == 3
+        and int(call.args[1]) == int(gl.GL_POSITION)
+    ]
+
+
 def moving_light(survey: Survey) -> Iterator[Suspect]:
     """A light placed before the camera's gluLookAt, in a picture whose camera moves."""
     past = survey.past
@@ -773,20 +802,7 @@ def moving_light(survey: Survey) -> Iterator[Suspect]:
     if not looks:
         return
     look = looks[0]
-    calls = survey.tape.calls
-    loaded = 0
-    for call in calls[: look.begin]:
-        if call.name == "glLoadIdentity":
-            loaded = call.number
-    mine = [
-        call
-        for call in calls[loaded : look.begin]
-        if call.name.startswith("glLight")
-        and len(call.args) == 3
-        and int(call.args[1]) == int(gl.GL_POSITION)
-    ]
-
-    for call in mine:
+    for call in _placed_before(survey, look):
         position = [float(v) for v in np.ravel(np.asarray(call.args[2]))]
         if abs(position[0]) + abs(position[1]) < 1e-6:
             continue  # at the eye, or behind it: meant to go with the camera

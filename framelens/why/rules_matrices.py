@@ -5,7 +5,7 @@ a projection on the wrong stack, a stack that is not balanced.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -48,6 +48,22 @@ def matrices(survey: Survey) -> Iterator[Suspect]:
     yield from unbalanced(survey)
 
 
+def _without_effect(
+    survey: Survey, note: GluCall, aspect: float, projection: np.ndarray
+) -> Suspect:
+    """Return that a gluPerspective made no call of OpenGL; ``projection`` is one that would."""
+    state = mode_at(survey, note)
+    return Suspect(
+        "aspect-zero" if aspect == 0.0 else "no-effect",
+        at=note,
+        change=_with_projection(survey, projection, state),
+        strength=96,
+        state=f"{state}_MATRIX",
+        value=aspect,
+        values={"call": written(note)},
+    )
+
+
 def _of_glu(survey: Survey, note: GluCall) -> Iterator[Suspect]:
     args = [float(a) for a in np.ravel(np.array(note.args, dtype=object)) if _number(a)]
     width, height = survey.tape.size
@@ -59,20 +75,7 @@ def _of_glu(survey: Survey, note: GluCall) -> Iterator[Suspect]:
             *_planes(near, far),
         )
         if note.end == note.begin:
-            state = mode_at(survey, note)
-            if aspect == 0.0:
-                cause, values = "aspect-zero", {"call": written(note)}
-            else:
-                cause, values = "no-effect", {"call": written(note)}
-            yield Suspect(
-                cause,
-                at=note,
-                change=_with_projection(survey, lens(*good), state),
-                strength=96,
-                state=f"{state}_MATRIX",
-                value=aspect,
-                values=values,
-            )
+            yield _without_effect(survey, note, aspect, lens(*good))
         elif 0 < fovy < 3.5:
             yield Suspect(
                 "fovy-radians",
@@ -248,6 +251,26 @@ def _radians(survey: Survey) -> Iterator[Suspect]:
 PROJECTING = ("gluPerspective", "gluOrtho2D", "glOrtho", "glFrustum")
 
 
+def _wiping(calls: Iterable[Call], mode: str) -> Call | None:
+    """Return the glLoadIdentity that wipes what a mode's matrix had before; None if none does."""
+    current = mode
+    pushed = 0
+    for call in calls:
+        if call.name == "glMatrixMode":
+            current = mode_named(call)
+            if current == mode:
+                return None  # chosen again: what follows is meant
+        elif call.name == "glBegin" or call.name.startswith(("glDraw", "glRect", "glut")):
+            return None
+        elif current == mode and call.name == "glPushMatrix":
+            pushed += 1
+        elif current == mode and call.name == "glPopMatrix":
+            pushed -= 1
+        elif current == mode and call.name == "glLoadIdentity" and pushed == 0:
+            return call
+    return None
+
+
 def _wiped(survey: Survey) -> Iterator[Suspect]:
     """A projection that a glLoadIdentity wipes: the matrix mode was not set back, or never set."""
     projected = [note for note in survey.glu if note.name in PROJECTING and note.end > note.begin]
@@ -259,23 +282,9 @@ def _wiped(survey: Survey) -> Iterator[Suspect]:
     for note in notes:
         begin = note.begin if isinstance(note, GluCall) else note.number
         mode = _mode_of(survey, begin)
-        current = mode
-        pushed = 0
-        for call in calls[begin + 1 :]:
-            if call.name == "glMatrixMode":
-                current = mode_named(call)
-                if current == mode:
-                    break  # chosen again: what follows is meant
-            elif call.name == "glBegin" or call.name.startswith(("glDraw", "glRect", "glut")):
-                break
-            elif current == mode and call.name == "glPushMatrix":
-                pushed += 1
-            elif current == mode and call.name == "glPopMatrix":
-                pushed -= 1
-            elif current == mode and call.name == "glLoadIdentity" and pushed == 0:
-                if not _again_after(survey, call):
-                    wiped.append((note, mode, call))
-                break
+        call = _wiping(calls[begin + 1 :], mode)
+        if call is not None and not _again_after(survey, call):
+            wiped.append((note, mode, call))
 
     for note, mode, call in wiped:
         matrix = _matrix_by(survey, note)
@@ -490,6 +499,15 @@ def narrowed(draws: Sequence[Drawn], factor: float) -> Change:
     return with_matrix("GL_PROJECTION", lambda d: matrix_of(d, "GL_PROJECTION") @ fixed, draws)
 
 
+def _may_be_meant(survey: Survey, call: Call, mode: str) -> bool:
+    """Return whether a transformation may be meant for a matrix other than the modelview."""
+    after = next((d for d in survey.shapes if d.number > call.number), None)
+    if mode == "GL_TEXTURE":
+        return after is None or textured(after)
+    # If it shows something.
+    return mode == "GL_PROJECTION" and after is not None and survey.seen(after)
+
+
 def _left_mode(survey: Survey) -> Iterator[Suspect]:
     """Transformations of objects made while the mode is GL_TEXTURE or GL_PROJECTION."""
     mode_call: Call | None = None
@@ -506,11 +524,8 @@ def _left_mode(survey: Survey) -> Iterator[Suspect]:
         elif call.name.startswith(("glTranslate", "glRotate", "glScale")):
             if _set_back(survey, call) or isinstance(at_of(survey, call), GluCall):
                 continue
-            after = next((d for d in survey.shapes if d.number > call.number), None)
-            if mode == "GL_TEXTURE" and (after is None or textured(after)):
+            if _may_be_meant(survey, call, mode):
                 continue
-            if mode == "GL_PROJECTION" and after is not None and survey.seen(after):
-                continue  # it shows something, so it may be meant
             place = str(_first_of_object(survey, call).number)
             yield Suspect(
                 "matrix-mode",

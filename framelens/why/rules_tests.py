@@ -325,6 +325,22 @@ def holes(survey: Survey) -> Iterator[Suspect]:
 ODD = ("GL_NEVER", "GL_GREATER", "GL_GEQUAL", "GL_EQUAL", "GL_NOTEQUAL")
 
 
+def _cleared_nearer(survey: Survey, mine: list[Drawn]) -> Iterator[Suspect]:
+    """Yield that the depth buffer is cleared to something nearer than the far plane."""
+    cleared = [d for d in survey.draws if d.call.name == "glClear"]
+    clear = next((d for d in cleared if d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999), None)
+    if clear is not None:
+        yield Suspect(
+            "clear-depth",
+            at=clear.setter("GL_DEPTH_CLEAR_VALUE"),
+            change=with_state(["DEPTH_BUFFER"], [("glClearDepth", (1.0,))], cleared),
+            strength=90,
+            state="GL_DEPTH_CLEAR_VALUE",
+            value=clear.state["GL_DEPTH_CLEAR_VALUE"],
+            draws=mine,
+        )
+
+
 def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
     mine = _of(group, "GL_DEPTH_TEST")
     if not mine:
@@ -342,19 +358,7 @@ def _depth(survey: Survey, group: list[Drawn]) -> Iterator[Suspect]:
             draws=mine,
         )
 
-    cleared = [d for d in survey.draws if d.call.name == "glClear"]
-    if any(d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999 for d in cleared):
-        clear = next(d for d in cleared if d.state["GL_DEPTH_CLEAR_VALUE"] < 0.999)
-        yield Suspect(
-            "clear-depth",
-            at=clear.setter("GL_DEPTH_CLEAR_VALUE"),
-            change=with_state(["DEPTH_BUFFER"], [("glClearDepth", (1.0,))], cleared),
-            strength=90,
-            state="GL_DEPTH_CLEAR_VALUE",
-            value=clear.state["GL_DEPTH_CLEAR_VALUE"],
-            draws=mine,
-        )
-
+    yield from _cleared_nearer(survey, mine)
     moved = list(state["GL_DEPTH_RANGE"]) != [0.0, 1.0]
     if moved and not shows_elsewhere(survey, mine, "GL_DEPTH_RANGE"):
         yield Suspect(

@@ -131,18 +131,23 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
                     values={"width": width, "row": row, "padded": padded},
                 )
         elif pixels.size < row * height:
-            yield Suspect(
-                "image-too-small",
-                at=call,
-                change=None,
-                strength=88,
-                state="GL_TEXTURE_2D",
-                value=int(pixels.size),
-                values={"given": int(pixels.size), "needed": row * height},
-                pixels=1,
-            )
+            yield _too_small(call, int(pixels.size), row * height)
 
         yield from _upside_down(survey, call, texture, image)
+
+
+def _too_small(call: Call, size: int, needed: int) -> Suspect:
+    """Return that an image has fewer bytes than OpenGL reads."""
+    return Suspect(
+        "image-too-small",
+        at=call,
+        change=None,
+        strength=88,
+        state="GL_TEXTURE_2D",
+        value=size,
+        values={"given": size, "needed": needed},
+        pixels=1,
+    )
 
 
 def _channels(call: Call, image: Image) -> int:

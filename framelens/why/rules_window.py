@@ -5,12 +5,14 @@ glBegin and glEnd, and how the frame is shown.
 """
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from itertools import takewhile
 
 import numpy as np
 
 from framelens.gl.named import gl_constant, gl_function
 from framelens.gl.seam import Call
+from framelens.program.past import Past
 from framelens.program.shown import FRONT
 from framelens.spec import spec
 from framelens.tape.steps import Step
@@ -25,26 +27,27 @@ INSIDE = (
 )
 
 
+def _make_again(past: Past, names: dict[int, int]) -> None:
+    """Make the early calls again; ``names`` gets the name of the object that they made as 0."""
+    for name, args, result, _ in past.early:
+        if spec.creates(name):
+            made = gl_function(name)(*args)
+            if result is None or int(np.ravel(result or 0)[0]) == 0:
+                names[0] = int(np.ravel(made)[0])
+        elif not spec.is_query(name):
+            values = list(args)
+            place = PLACES.get(name)
+            if place is not None and int(values[place] or 0) == 0:
+                values[place] = names.get(0, 0)
+            gl_function(name)(*values)
+
+
 def before_context(survey: Survey) -> Iterator[Suspect]:
     """Calls of OpenGL before the window's context: they have no effect."""
     past = survey.past
     if past is None or not past.early:
         return
     names: dict[int, int] = {}
-
-    def make() -> None:
-        for name, args, result, _ in past.early:
-            if spec.creates(name):
-                made = gl_function(name)(*args)
-                if result is None or int(np.ravel(result or 0)[0]) == 0:
-                    names[0] = int(np.ravel(made)[0])
-            elif not spec.is_query(name):
-                values = list(args)
-                place = PLACES.get(name)
-                if place is not None and int(values[place] or 0) == 0:
-                    values[place] = names.get(0, 0)
-                gl_function(name)(*values)
-
     instead: dict[str, Sequence[Action]] = {}
     for call in survey.tape.frame:
         place = PLACES.get(call.name)
@@ -54,7 +57,7 @@ def before_context(survey: Survey) -> Iterator[Suspect]:
     yield Suspect(
         "before-context",
         at=None,
-        change=Change(start=[make], instead=instead),
+        change=Change(start=[partial(_make_again, past, names)], instead=instead),
         strength=97,
         values={"call": name, "opening": OPENINGS[past.window.toolkit]},
         source=f"{site.file}:{past.window.early_line or site.line}",

@@ -129,6 +129,18 @@ def _measure(walk: Walk, options: Options) -> dict[str, float]:
     as_walked = pictures(place.scene, [frame.moment for frame in frames], pairs)
     stills = pictures(place.scene, [whole[n] for n in sorted(pairs)], set(range(len(pairs))))
     stills = dict(zip(sorted(pairs), stills.values(), strict=True))
+    return {
+        "fps": len(frames) / seconds if frames else 0.0,
+        "rung": median(frame.rung for frame in frames) if frames else 0,
+        "fps_full": fps_full,
+        **_compared(as_walked, stills, chosen),
+    }
+
+
+def _compared(
+    as_walked: "Mapping[int, Picture]", stills: "Mapping[int, Picture]", chosen: Sequence[int]
+) -> dict[str, float]:
+    """Return how far chosen frames of a walk are off from their stills, and how both flicker."""
     offs = []
     flickers = []
     flickers_full = []
@@ -139,10 +151,7 @@ def _measure(walk: Walk, options: Options) -> dict[str, float]:
         flickers_full.append(flicker(stills[n - 1].pixels, stills[n].pixels, seen))
 
     return {
-        "fps": len(frames) / seconds if frames else 0.0,
         "off": float(np.mean(offs)) if offs else 0.0,
-        "rung": median(frame.rung for frame in frames) if frames else 0,
-        "fps_full": fps_full,
         "flicker": float(np.mean(flickers)) if flickers else 0.0,
         "flicker_full": float(np.mean(flickers_full)) if flickers_full else 0.0,
     }
@@ -244,16 +253,22 @@ def off(walked: np.ndarray, still: np.ndarray) -> float:
     return float((apart > APART).mean())
 
 
+def _clip_coordinates(depths: np.ndarray) -> np.ndarray:
+    """Return where the pixels of a picture are, (4, h, w) in its clip coordinates with w 1."""
+    height, width = depths.shape
+    rows, columns = np.mgrid[:height, :width].astype(np.float64)
+    x = (columns + 0.5) / width * 2.0 - 1.0
+    y = 1.0 - (rows + 0.5) / height * 2.0
+    return np.stack([x, y, depths * 2.0 - 1.0, np.ones_like(x)])
+
+
 def carried(earlier: Picture, later: Picture) -> np.ndarray:
     """Return where in the earlier picture each pixel of the later one was, (h, w, 2) in pixels.
 
     NaN where that is outside the picture, or where something else was seen there then.
     """
     height, width = later.depths.shape
-    rows, columns = np.mgrid[:height, :width].astype(np.float64)
-    x = (columns + 0.5) / width * 2.0 - 1.0
-    y = 1.0 - (rows + 0.5) / height * 2.0
-    there = np.stack([x, y, later.depths * 2.0 - 1.0, np.ones_like(x)])
+    there = _clip_coordinates(later.depths)
     back = (earlier.matrix @ np.linalg.inv(later.matrix) @ there.reshape(4, -1)).reshape(
         4, height, width
     )
@@ -278,16 +293,20 @@ def flicker(earlier: np.ndarray, later: np.ndarray, at: np.ndarray) -> float:
     known = ~np.isnan(at[..., 0])
     if not known.any():
         return 0.0
-    row, column = at[known].T
-    height, width = earlier.shape[:2]
+    moved = _looked_up(earlier.astype(np.float32), at[known])
+    return float(np.abs(later[known] - moved).mean())
+
+
+def _looked_up(pixels: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Return the colours (n, 3) of a picture (h, w, 3) at rows and columns (n, 2), interpolated."""
+    row, column = at.T
+    height, width = pixels.shape[:2]
     top, left = np.clip(np.floor(row), 0, height - 2), np.clip(np.floor(column), 0, width - 2)
     down, right = np.clip(row - top, 0, 1)[:, None], np.clip(column - left, 0, 1)[:, None]
     top, left = top.astype(int), left.astype(int)
-    pixels = earlier.astype(np.float32)
     upper = pixels[top, left] * (1 - right) + pixels[top, left + 1] * right
     lower = pixels[top + 1, left] * (1 - right) + pixels[top + 1, left + 1] * right
-    moved = upper * (1 - down) + lower * down
-    return float(np.abs(later[known] - moved).mean())
+    return np.asarray(upper * (1 - down) + lower * down)
 
 
 def report(result: Mapping[str, Any]) -> str:

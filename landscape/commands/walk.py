@@ -18,8 +18,11 @@ from landscape.walk.thumbnails import thumbnail
 
 if TYPE_CHECKING:
     from framelens.gl.contexts.glfw import GLFWContext
+    from landscape.frame import Pose
+    from landscape.scene.scene import Scene, View
     from landscape.walk.landmarks import Found
     from landscape.walk.preferences import Preferences
+    from landscape.walk.title import Entry
 
 EXAMPLE = "fig35a --fullscreen"
 BEGIN = (
@@ -134,6 +137,16 @@ def _asks_only_for(names: Collection[str], options: argparse.Namespace) -> bool:
     return all(getattr(options, name) == usual[name] for name in usual if name not in names)
 
 
+def _place_of(entry: "Entry") -> "tuple[str, Pose | None]":
+    """Return the view, and perhaps the pose in it, that an entry of the title stands for."""
+    from landscape.walk import last
+
+    if entry.kind != "last":
+        return entry.value, None
+    ended = last.read()
+    return (ended.view, ended.pose) if ended else ("", None)
+
+
 def greet(options: argparse.Namespace) -> int:
     """Let the user choose in the title where to walk, until he leaves; return the exit status."""
     from landscape.walk import last, preferences
@@ -154,11 +167,7 @@ def greet(options: argparse.Namespace) -> int:
         notify(options, lines)
         title.note = "\n".join(lines)
         while (entry := title.run()) is not None:
-            if entry.kind == "last":
-                ended = last.read()
-                options.view, options.pose = (ended.view, ended.pose) if ended else ("", None)
-            else:
-                options.view, options.pose = entry.value, None
+            options.view, options.pose = _place_of(entry)
             options.lang = title.language
             try:
                 if walked(options, context, kept) != TO_TITLE:
@@ -206,6 +215,22 @@ def walked(
             window.release()
 
 
+def _begin(options: argparse.Namespace) -> "tuple[Scene, View]":
+    """Return the scene and the view in which a walk begins; InputError for an impossible pose."""
+    from landscape.scene.scene import find_view, scene
+    from landscape.walk.recording import MAX_NUMBER
+
+    kind, named = find_view(options.view or scene().start)
+    begin = kind.as_walked(named, options.preset)
+    if options.pose is not None:
+        if options.path is not None:
+            raise InputError("--pose: a walk along --path begins there; expected one of the two")
+        if any(number and abs(number) > MAX_NUMBER for number in astuple(options.pose)):
+            raise InputError("--pose: expected numbers up to {max_number:g}", max_number=MAX_NUMBER)
+        begin = replace(begin, pose=options.pose)
+    return kind, begin if options.kt is None else replace(begin, kt=options.kt)
+
+
 def _walked(
     options: argparse.Namespace,
     wishes: "Preferences",
@@ -216,22 +241,10 @@ def _walked(
     """Walk as :func:`walked` says, in ``window`` if it is open; ``titled``: it is the title's."""
     from landscape.commands.changes import given_changes
     from landscape.files.assets import Assets
-    from landscape.scene.scene import find_view, scene
     from landscape.walk.landmarks import Found
-    from landscape.walk.recording import MAX_NUMBER
     from landscape.walk.session import walk
 
-    kind, named = find_view(options.view or scene().start)
-    begin = kind.as_walked(named, options.preset)
-    if options.pose is not None:
-        if options.path is not None:
-            raise InputError("--pose: a walk along --path begins there; expected one of the two")
-        if any(number and abs(number) > MAX_NUMBER for number in astuple(options.pose)):
-            raise InputError("--pose: expected numbers up to {max_number:g}", max_number=MAX_NUMBER)
-        begin = replace(begin, pose=options.pose)
-    if options.kt is not None:
-        begin = replace(begin, kt=options.kt)
-
+    kind, begin = _begin(options)
     if kept is None:
         kept, damaged = Found.read() if not options.fresh else (Found(), [])
         _say(options, wishes, damaged)

@@ -253,10 +253,7 @@ class Grader:
         private = self._private()  # the model's folder, too
         jobs = [Job(str(path), frames, events, calls, self._seconds, private=private, again=calls)]
         if solution is None:
-            job = replace(jobs[0], path=str(model or recorded.PLAYER), trusted=True, again=False)
-            if program is None:
-                job = replace(job, recorded=str(found.folder / recorded.FILE), take=take)
-            jobs.append(job)
+            jobs.append(_of_solution(jobs[0], found, model, take))
         outcomes = self._sandbox.run(jobs)
         if solution is None:
             solution = _solution(found, program, model, outcomes[1], frames)
@@ -386,3 +383,11 @@ def _sound(found: Evidence) -> Evidence:
         for frame in found.frames.values():
             len(frame.draws)
     return found
+
+
+def _of_solution(job: Job, found: Exercise, model: Path | None, take: int) -> Job:
+    """Return the job of the solution beside a program's: of its file, or of what was recorded."""
+    job = replace(job, path=str(model or recorded.PLAYER), trusted=True, again=False)
+    if model is None:
+        job = replace(job, recorded=str(found.folder / recorded.FILE), take=take)
+    return job

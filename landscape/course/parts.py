@@ -19,7 +19,7 @@ are no part of a solution.
 import ast
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -61,6 +61,19 @@ def is_parts(code: str) -> bool:
     return REST.search(code) is not None
 
 
+def _left_out(parts: str, names: Collection[str], file: Path) -> list[str]:
+    """Return what of start.py, of its ``names``, the parts leave out; InputError for another."""
+    gone = [name.strip() for found in WITHOUT.findall(parts) for name in found.split(",")]
+    for name in gone:
+        if name not in names:
+            raise InputError(
+                "{file}: # without: {name}: expected a function or a name of start.py",
+                file=file,
+                name=short(name),
+            )
+    return gone
+
+
 def assembled(parts: str, start: str, file: Path) -> str:
     """Return the whole program; InputError names ``file`` and what in it has no place in start.py.
 
@@ -71,16 +84,7 @@ def assembled(parts: str, start: str, file: Path) -> str:
         _head, own = _read(parts)
     except (SyntaxError, ValueError) as error:
         raise not_python(file, error) from None
-    names = [each.name for each in statements]
-    gone = [name.strip() for found in WITHOUT.findall(parts) for name in found.split(",")]
-    for name in gone:
-        if name not in names:
-            raise InputError(
-                "{file}: # without: {name}: expected a function or a name of start.py",
-                file=file,
-                name=short(name),
-            )
-
+    gone = _left_out(parts, {each.name for each in statements}, file)
     whole = [each for each in statements if each.name not in gone]
     at = None  # where the last part stands
     waiting: list[Statement] = []  # new ones, until the part that follows them has its place

@@ -38,6 +38,22 @@ def rasteriser() -> ModuleType | None:
         return None
 
 
+def _remove_layers(root: ElementTree.Element, names: tuple[str, ...]) -> None:
+    """Remove the layers of these names, in small letters."""
+    for parent in list(root.iter()):
+        for child in list(parent):
+            if child.get(LABEL, "").lower() in names:
+                parent.remove(child)
+
+
+def _embed_images(root: ElementTree.Element, linked: Callable[[str], Image.Image]) -> None:
+    """Put the images that a drawing links to, which ``linked`` returns, into it."""
+    for image in root.iter(f"{SVG}image"):
+        for name in LINKS:
+            if name in image.attrib and not image.get(name, "").strip().startswith("data:"):
+                image.set(name, embedded(linked(image.get(name, ""))))
+
+
 def drawn(
     path: Path,
     left_out: tuple[str, ...],
@@ -56,16 +72,8 @@ def drawn(
     if resvg is None:
         raise InputError("{path}: a map drawn with shapes: {extra}", path=path, extra=EXTRA)
     root = ElementTree.fromstring(read_bounded(path, MOST_BYTES))
-    for parent in list(root.iter()):
-        for child in list(parent):
-            if child.get(LABEL, "").lower() in left_out:
-                parent.remove(child)
-
-    for image in root.iter(f"{SVG}image"):
-        for name in LINKS:
-            if name in image.attrib and not image.get(name, "").strip().startswith("data:"):
-                image.set(name, embedded(linked(image.get(name, ""))))
-
+    _remove_layers(root, left_out)
+    _embed_images(root, linked)
     root.set("width", repr(page[0]))
     root.set("height", repr(page[1]))
     outer = ElementTree.Element(

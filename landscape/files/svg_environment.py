@@ -140,6 +140,14 @@ def _read(path: Path) -> SvgEnvironment:
     return SvgEnvironment(path.stem, _over_white(image), subpaths, targets, notices)
 
 
+def _left_out(path: Path, found: Found, faded: bool, turned: bool) -> str:
+    """Return the notice that a map is taken without its shapes, or as if it were opaque."""
+    left_out = ["shapes over the height image"] * bool(found.shapes)
+    left_out += ["the height image's opacity"] * faded
+    why = "the image is turned" if turned else f"to draw them, {svg_drawing.EXTRA}"
+    return f"{path}: {' and '.join(left_out)}: left out; {why}"
+
+
 def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, ...]]:
     """Return the map, the matrix (3, 3) from the outermost coordinates to its pixels, and notices.
 
@@ -155,12 +163,9 @@ def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, 
     faded = place.faded or element.faded
     if not (found.shapes or faded):
         return image, to_pixels, ()
-    turned = np.abs(to_pixels[[0, 1], [1, 0]]).max() > 1e-9
+    turned = bool(np.abs(to_pixels[[0, 1], [1, 0]]).max() > 1e-9)
     if turned or svg_drawing.rasteriser() is None:
-        left_out = ["shapes over the height image"] * bool(found.shapes)
-        left_out += ["the height image's opacity"] * faded
-        why = "the image is turned" if turned else f"to draw them, {svg_drawing.EXTRA}"
-        return image, to_pixels, (f"{path}: {' and '.join(left_out)}: left out; {why}",)
+        return image, to_pixels, (_left_out(path, found, faded, turned),)
     left, top = -to_pixels[:2, 2] / np.diag(to_pixels)[:2]
     width, height = np.array(image.size) / np.diag(to_pixels)[:2]
     box = tuple(map(float, (left, top, width, height)))
@@ -307,26 +312,33 @@ def _fitted(element: Element, box: tuple[float, ...], inner: tuple[float, ...]) 
 def _viewport(element: Element, place: Place) -> Place:
     """Return the place inside an <svg>, from its viewBox, or from its size where it has none."""
     outer = place.viewport
-    numbers = element.get("viewBox").replace(",", " ").split()
-    try:
-        x, y, width, height = map(float, numbers or ("0", "0", "nan", "nan"))
-    except ValueError:
-        raise InputError("expected a viewBox of four numbers") from None
-
-    if numbers and not (width > 0 and height > 0 and np.isfinite([x, y, width, height]).all()):
-        raise InputError("expected a viewBox of finite size")
-    inside = (x, y, width, height) if numbers else (0.0, 0.0, *outer)
+    box = _view_box(element)
+    inside = box or (0.0, 0.0, *outer)
 
     # The outermost <svg> is as large as its viewBox says where its size is not given.
     whole = outer if any(outer) else inside[2:]
     corner = [_length(element, key, side, 0.0) for key, side in zip("xy", whole, strict=True)]
     sides = zip(("width", "height"), whole, strict=True)
     size = [_length(element, key, side, side) for key, side in sides]
-    if not numbers:
+    if box is None:
         moved = np.array([[1, 0, corner[0]], [0, 1, corner[1]], [0, 0, 1]])
         return place._replace(transform=place.transform @ moved, viewport=(size[0], size[1]))
     fitted = _fitted(element, (*corner, *size), inside)
-    return place._replace(transform=place.transform @ fitted, viewport=(width, height))
+    return place._replace(transform=place.transform @ fitted, viewport=box[2:])
+
+
+def _view_box(element: Element) -> tuple[float, float, float, float] | None:
+    """Return the x, y, width and height of an <svg>'s viewBox; None if it has none."""
+    numbers = element.get("viewBox").replace(",", " ").split()
+    if not numbers:
+        return None
+    try:
+        x, y, width, height = map(float, numbers)
+    except ValueError:
+        raise InputError("expected a viewBox of four numbers") from None
+    if not (width > 0 and height > 0 and np.isfinite([x, y, width, height]).all()):
+        raise InputError("expected a viewBox of finite size")
+    return x, y, width, height
 
 
 def _page(element: Element, place: Place) -> tuple[float, float]:

@@ -68,27 +68,37 @@ class Projector:
         self._starts = film.starts()
         self._open: dict[int, Pictures] = {}
 
+    def _of_part(self, k: int, since: float) -> np.ndarray:
+        """Return the picture of a part, so many seconds after it began, with its captions."""
+        part = self._film.parts[k]
+        if k not in self._open:
+            self._open[k] = part.clip.open(self._stage)
+        own = self._open[k](since)
+        for caption in part.captions:
+            own = caption.over(own, since)
+        return own
+
+    def _running(self, now: float) -> list[int]:
+        """Return the numbers of the parts that are seen at a time, in seconds."""
+        parts = self._film.parts
+        running = [
+            k
+            for k, part in enumerate(parts)
+            if self._starts[k] <= now < self._starts[k] + part.clip.seconds
+        ]
+        # Rounding may leave the last frame just after the end.
+        return running or [len(parts) - 1]
+
     def picture(self, number: int) -> np.ndarray:
         """Return a frame, uint8 (h, w, 3), top row first."""
         film, now = self._film, float(number / self._film.fps)
-        running = [
-            k
-            for k, part in enumerate(film.parts)
-            if self._starts[k] <= now < self._starts[k] + part.clip.seconds
-        ]
-
-        # Rounding may leave the last frame just after the end.
-        running = running or [len(film.parts) - 1]
+        running = self._running(now)
         self._open = {k: v for k, v in self._open.items() if k in running}
         pixels: np.ndarray | None = None
         for k in running:
             part, since = film.parts[k], now - self._starts[k]
             share = smooth(since / part.fade) if part.fade > 0.0 else 1.0
-            if k not in self._open:
-                self._open[k] = part.clip.open(self._stage)
-            own = self._open[k](since)
-            for caption in part.captions:
-                own = caption.over(own, since)
+            own = self._of_part(k, since)
             if k == 0 or pixels is None:
                 pixels = own if share == 1.0 else mixed(np.zeros_like(own), own, share)
             else:

@@ -77,18 +77,23 @@ def around(faces: np.ndarray, size: tuple[int, int]) -> np.ndarray:
 
 
 @lru_cache(maxsize=128)
+def _rays(size: tuple[int, int], top: int) -> np.ndarray:
+    """Return the directions (rows, w, 3) of the pixels of ROWS rows from ``top``."""
+    width, height = size
+    rows = np.arange(top, min(top + ROWS, height))
+    up = (math.pi * (0.5 - (rows + 0.5) / height))[:, None]
+    turn = (2 * math.pi * ((np.arange(width) + 0.5) / width - 0.5))[None]
+    return np.stack(
+        [np.cos(up) * np.sin(turn), np.sin(up) + 0 * turn, -np.cos(up) * np.cos(turn)], axis=-1
+    )
+
+
 def _looked_up(size: tuple[int, int], side: int, top: int) -> tuple[np.ndarray, ...]:
     """Return of ROWS rows from ``top`` which pixel (rows, w) of the faces, and the way to the next.
 
     The way is 0..1 to the right, and down.
     """
-    width, height = size
-    rows = np.arange(top, min(top + ROWS, height))
-    up = (math.pi * (0.5 - (rows + 0.5) / height))[:, None]
-    turn = (2 * math.pi * ((np.arange(width) + 0.5) / width - 0.5))[None]
-    ray = np.stack(
-        [np.cos(up) * np.sin(turn), np.sin(up) + 0 * turn, -np.cos(up) * np.cos(turn)], axis=-1
-    )
+    ray = _rays(size, top)
     ahead = np.stack([_axes(*each)[2] for each in SIDES])
     face = (ray @ ahead.T).argmax(axis=-1)
     axes = np.stack([_axes(*each) for each in SIDES])[face]

@@ -66,6 +66,15 @@ class Track:
         return np.concatenate([np.zeros((lead, 2), np.float32), sound])
 
 
+def _loud(
+    seconds: np.ndarray, ends: tuple[float, float], fades: tuple[float, float], first: bool
+) -> np.ndarray:
+    """Return how loud a part is at times of the film: it is faded in and out at its two ends."""
+    loud = fading(seconds - ends[0], fades[0], first)
+    loud *= faded_out(seconds - ends[1], fades[1])
+    return loud
+
+
 def blocks(film: Film, stage: Stage) -> Iterator[np.ndarray]:
     """Yield the sound of a film block by block, float32 (n, 2) in -1..1."""
     starts = film.starts()
@@ -80,8 +89,7 @@ def blocks(film: Film, stage: Stage) -> Iterator[np.ndarray]:
         sound = np.zeros((samples, 2), np.float32)
         for k, (part, track) in enumerate(zip(film.parts, tracks, strict=True)):
             after = film.parts[k + 1].fade if k + 1 < len(film.parts) else 0.0
-            loud = fading(seconds - starts[k], part.fade, k == 0)
-            loud *= faded_out(seconds - starts[k + 1], after)
+            loud = _loud(seconds, (starts[k], starts[k + 1]), (part.fade, after), k == 0)
             if loud.any():
                 sound += loud[:, None] * track.mixed(begin, samples)
         if film.ending > 0.0:

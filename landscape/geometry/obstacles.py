@@ -1,6 +1,7 @@
 """Obstacles that a walker cannot pass: towers and walls, seen from above. No OpenGL."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -110,12 +111,20 @@ def courtyard(
     walls = [Wall(*place(0, side), 0.5, half, yaw, top) for side in (-edge, edge)]
     walls += [Wall(*place(side, 0), half, 0.5, yaw, top) for side in (-edge, edge)]
     if door is not None:
-        wide, lintel = door
-        beside, middle = (0.5 - wide) / 2, (0.5 + wide) / 2
-        walls[:1] = [
-            Gate(*place(0, -edge), wide, half, yaw, top),
-            Wall(*place(0, -edge), wide, half, yaw, top, lintel),
-            *(Wall(*place(u, -edge), beside, half, yaw, top) for u in (-middle, middle)),
-        ]
+        walls[:1] = _gated(walls[0], *door, place)
     corners = [place(u, w) for u in (-0.5, 0.5) for w in (-0.5, 0.5)]
     return (*walls, *(Tower(*corner, *towers) for corner in corners))
+
+
+def _gated(
+    wall: Wall, wide: float, lintel: float, place: Callable[[float, float], tuple[float, float]]
+) -> list[Wall]:
+    """Return the parts of a courtyard's first wall with a gate, half as wide as it says."""
+    half, yaw, top = wall.half_thickness, wall.yaw, wall.top
+    edge = 0.5 - half
+    beside, middle = (0.5 - wide) / 2, (0.5 + wide) / 2
+    return [
+        Gate(wall.x, wall.z, wide, half, yaw, top),
+        Wall(wall.x, wall.z, wide, half, yaw, top, lintel),
+        *(Wall(*place(u, -edge), beside, half, yaw, top) for u in (-middle, middle)),
+    ]

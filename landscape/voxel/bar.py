@@ -45,22 +45,24 @@ class Icons:
             ("left", (0, quarter), (half, half), (0, side - quarter)),
             ("right", (half, half), (side, quarter), (half, side)),
         )
-        for name, origin, across, down in faces:
-            face = self._face(block, name)
-            steps = np.array([np.subtract(across, origin), np.subtract(down, origin)]).T
-            back = np.linalg.inv(steps) * face.width
-            offset = -back @ np.array(origin)
-            numbers = (*back[0], offset[0], *back[1], offset[1])
-            size = side, side
-            laid = face.transform(size, Image.Transform.AFFINE, numbers, Image.Resampling.BILINEAR)
-            found.alpha_composite(laid)
-
+        for name, *corners in faces:
+            found.alpha_composite(_laid(self._face(block, name), np.array(corners), side))
         return found
 
     def _face(self, block: Block, name: str) -> Image.Image:
         tile = block.top if name == "top" else block.side or block.top
         colours = self._tiles[tile][..., :3] * (np.array(block.tint) / 255 * SHADE[name])
         return Image.fromarray(colours.astype(np.uint8)).convert("RGBA")
+
+
+def _laid(face: Image.Image, corners: np.ndarray, side: int) -> Image.Image:
+    """Return a face in a picture of ``side`` pixels; ``corners`` (3, 2): upper two, lower left."""
+    origin, across, down = corners
+    back = np.linalg.inv(np.array([across - origin, down - origin]).T) * face.width
+    offset = -back @ origin
+    numbers = (*back[0], offset[0], *back[1], offset[1])
+    size = side, side
+    return face.transform(size, Image.Transform.AFFINE, numbers, Image.Resampling.BILINEAR)
 
 
 def bar_image(

@@ -83,6 +83,21 @@ def solid_within(blocks: np.ndarray, box: Box) -> bool:
     return box.low[2] < 0 or bool(SOLID[blocks[x, z, y]].any())
 
 
+def _solid_ahead(blocks: np.ndarray, box: Box, axis: int, way: float) -> np.ndarray:
+    """Return the layers (n,) along an axis in which a box that goes ``way`` meets solid blocks."""
+    end = blocks.shape[axis]
+    ranges = [cells(box.low[a], box.high[a], blocks.shape[a], a < 2) for a in range(3)]
+    if way > 0:
+        first, last = math.ceil(box.high[axis]), math.ceil(box.high[axis] + way + GAP)
+    else:
+        first, last = math.floor(box.low[axis] + way - GAP), math.floor(box.low[axis])
+
+    begin = min(max(first, 0), end)
+    ranges[axis] = slice(begin, min(max(last, 0), end))
+    solid = SOLID[blocks[tuple(ranges)]].any(axis=tuple(a for a in range(3) if a != axis))
+    return begin + np.flatnonzero(solid)
+
+
 def slide(blocks: np.ndarray, box: Box, axis: int, way: float) -> float:
     """Move a box along an axis by up to ``way``, and return how far it went.
 
@@ -90,21 +105,12 @@ def slide(blocks: np.ndarray, box: Box, axis: int, way: float) -> float:
     """
     if way == 0.0:
         return 0.0
-    end = blocks.shape[axis]
     face = box.high[axis] if way > 0 else box.low[axis]
-    ranges = [cells(box.low[a], box.high[a], blocks.shape[a], a < 2) for a in range(3)]
-    if way > 0:
-        first, last = math.ceil(face), math.ceil(face + way + GAP)
-    else:
-        first, last = math.floor(face + way - GAP), math.floor(face)
-
-    ranges[axis] = slice(min(max(first, 0), end), min(max(last, 0), end))
-    found = SOLID[blocks[tuple(ranges)]].any(axis=tuple(a for a in range(3) if a != axis))
-    stops = np.flatnonzero(found)
+    stops = _solid_ahead(blocks, box, axis, way)
     if way > 0 and len(stops):
-        way = min(way, max(ranges[axis].start + int(stops[0]) - GAP - face, 0.0))
+        way = min(way, max(int(stops[0]) - GAP - face, 0.0))
     elif way < 0 and len(stops):
-        way = max(way, min(ranges[axis].start + int(stops[-1]) + 1 + GAP - face, 0.0))
+        way = max(way, min(int(stops[-1]) + 1 + GAP - face, 0.0))
     elif axis == 2 and face + way < GAP:  # the rock below the world
         way = max(way, min(GAP - face, 0.0))
 

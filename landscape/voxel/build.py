@@ -334,11 +334,14 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
     except TooLargeToKeep as large:
         return large.place, colours, large.found
     place = World(blocks, ground, values.region_size, values.sea, values.block)
-    vertices = data.view(VERTEX)
+    return place, colours, _taken_apart(data.view(VERTEX), counts)
+
+
+def _taken_apart(vertices: np.ndarray, counts: np.ndarray) -> list[RegionMesh]:
+    """Return the meshes whose vertices, VERTEX (n,), follow each other, and their counts."""
     ends = np.cumsum(counts.reshape(len(counts), -1).sum(axis=1))
     shape = len(TURNS), SETS
-    found = [
+    return [
         RegionMesh(vertices[end - count.sum() : end], count.reshape(shape))
         for end, count in zip(ends, counts, strict=True)
     ]
-    return place, colours, found

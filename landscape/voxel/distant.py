@@ -52,6 +52,13 @@ def closed(columns: np.ndarray) -> np.ndarray:
     return np.where(both[..., 0::2, :] & both[..., 1::2, :], block("rock"), AIR)
 
 
+def _with_even_sides(inner: np.ndarray, rows: int, number: int, size: int) -> np.ndarray:
+    """Return blocks of rows x number regions, of one column more on each side, which is empty."""
+    apart = inner.reshape(rows, size, number, size, -1)
+    apart = np.pad(apart, [(0, 0), (0, 1), (0, 0), (0, 1), (0, 0)])
+    return apart.reshape(rows * (size + 1), number * (size + 1), -1)
+
+
 def cells_of(blocks: np.ndarray, size: int) -> np.ndarray:
     """Return the cells of regions of ``size`` columns a side: (rows, n, number, n, h).
 
@@ -62,10 +69,7 @@ def cells_of(blocks: np.ndarray, size: int) -> np.ndarray:
     rows, number = ((side - 2 * EDGE) // size for side in blocks.shape[:2])
     inner, odd = blocks[EDGE:-EDGE, EDGE:-EDGE], size % 2
     if odd:
-        apart = inner.reshape(rows, size, number, size, -1)
-        apart = np.pad(apart, [(0, 0), (0, 1), (0, 0), (0, 1), (0, 0)])
-        inner = apart.reshape(rows * (size + 1), number * (size + 1), -1)
-
+        inner = _with_even_sides(inner, rows, number, size)
     halves = halved(inner)
     half, tall = (size + 1) // 2, halves.shape[2]
     side = half + 2 * EDGE

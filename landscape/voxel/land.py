@@ -99,6 +99,18 @@ def boxes(meshes: Meshes, block: float) -> tuple[np.ndarray, np.ndarray]:
     return np.asfortranarray(low), np.asfortranarray(high)
 
 
+def tile_levels(assets: Assets) -> list[np.ndarray]:
+    """Return the mip levels of the column of tiles, the largest first.
+
+    They go down to the level in which a tile is one texel. Where OpenGL allows no texture as large
+    as the column, its tiles are coarser.
+    """
+    pictures = tiles(assets)
+    levels = mip_levels(column([pictures[name] for name in TILES]))[: SIDE.bit_length()]
+    largest = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE))
+    return [level for level in levels if len(level) <= largest]
+
+
 class Land(Element[Settings]):
     """The land. ``low`` and ``high`` (regions, 3) are the regions' bounding boxes in units.
 
@@ -132,13 +144,8 @@ class Land(Element[Settings]):
         del found  # those of a large world take much memory
         give_back()
         self._horizon: Horizon | None = None  # once what hills hide is asked for
-        pictures = tiles(assets)
         mipmaps, crisp = settings.voxel.mipmaps, settings.voxel.crisp
-        # Down to the level in which a tile is one texel. Where OpenGL allows no texture as large as
-        # the column, its tiles are coarser.
-        levels = mip_levels(column([pictures[name] for name in TILES]))[: SIDE.bit_length()]
-        largest = int(gl.glGetIntegerv(gl.GL_MAX_TEXTURE_SIZE))
-        levels = [level for level in levels if len(level) <= largest]
+        levels = tile_levels(assets)
         self._tiles = Texture(levels if mipmaps else levels[:1], mipmaps=mipmaps, crisp=crisp)
         self._plants = Texture(plants(assets), repeat=False, mipmaps=mipmaps, crisp=crisp)
 
@@ -172,6 +179,17 @@ class Land(Element[Settings]):
         away = distances(self.low, self.high, eye)
         return Around(away, np.argsort(away, kind="stable"))
 
+    def _in_view(self, clip: np.ndarray, around: Around, part: Part, reach: float) -> np.ndarray:
+        """Return which regions may be visible, bool (regions,)."""
+        values = self.settings.voxel
+        seen = TESTS[values.visibility](self.low, self.high, clip)
+        seen &= around.away < min(values.distance, reach)
+        if part == ABOVE:
+            seen &= self.high[:, 1] > self.world.water * self.scale
+        elif part == UNDER:
+            seen &= self.low[:, 1] < (self.world.water + 1) * self.scale
+        return seen
+
     def choose(
         self,
         clip: np.ndarray,
@@ -190,12 +208,7 @@ class Land(Element[Settings]):
         """
         values, regions = self.settings.voxel, around.order
         if values.cull:
-            seen = TESTS[values.visibility](self.low, self.high, clip)
-            seen &= around.away < min(values.distance, reach)
-            if part == ABOVE:
-                seen &= self.high[:, 1] > self.world.water * self.scale
-            elif part == UNDER:
-                seen &= self.low[:, 1] < (self.world.water + 1) * self.scale
+            seen = self._in_view(clip, around, part, reach)
             regions = regions[seen[regions]]
 
         level = np.searchsorted((near, max(near, far)), around.away[regions], "right")

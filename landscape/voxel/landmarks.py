@@ -160,6 +160,21 @@ def scatter(
             put(blocks, make(rng), (x, z, int(tops[x, z])), floor)
 
 
+def _plant_trees(
+    blocks: np.ndarray,
+    tops: np.ndarray,
+    where: np.ndarray,
+    rng: np.random.Generator,
+    own: np.random.Generator,
+) -> None:
+    """Plant trees where they may stand (n, n), in place; ``own`` is the generator of shapes."""
+    shapes = {kind: [tree(kind, own) for _ in range(SHAPES)] for kind in KINDS}
+    for kind, x, z in forest(where, tops, rng):
+        model = shapes[kind][int(rng.integers(SHAPES))]
+        turned = np.rot90(model, int(rng.integers(4)))
+        put(blocks, turned[::-1] if rng.random() < 0.5 else turned, (x, z, int(tops[x, z])))
+
+
 def grow(
     blocks: np.ndarray,
     tops: np.ndarray,
@@ -176,12 +191,7 @@ def grow(
     """
     grass = kinds == block("grass")
     own = rng.spawn(1)[0]  # so that where trees stand does not depend on their shapes
-    shapes = {kind: [tree(kind, own) for _ in range(SHAPES)] for kind in KINDS}
-    for kind, x, z in forest(grass & free, tops, rng):
-        model = shapes[kind][int(rng.integers(SHAPES))]
-        turned = np.rot90(model, int(rng.integers(4)))
-        put(blocks, turned[::-1] if rng.random() < 0.5 else turned, (x, z, int(tops[x, z])))
-
+    _plant_trees(blocks, tops, grass & free, rng, own)
     scatter(blocks, tops, grass & free, own)
     below = np.take_along_axis(blocks, tops[..., None].astype(np.intp) - 1, axis=2)[..., 0]
     sown = plants((kinds == block("grass")) & (below == block("grass")), rng)

@@ -48,16 +48,28 @@ def highest(blocks: np.ndarray) -> np.ndarray:
     return found
 
 
-def map_picture(world: World, assets: Assets) -> np.ndarray:
-    """Return the map, uint8 (n, n, 3): north at the top, west at the left.
-
-    n is the world's side, or a fraction of it if that is more than MOST.
-    """
+def _colours(assets: Assets) -> np.ndarray:
+    """Return the mean colours (blocks, 3) of the blocks' upper faces, 0 to 255."""
     pictures = tiles(assets)
     colours = np.zeros((len(BLOCKS), 3))
     for number, block in enumerate(BLOCKS):
         if SOLID[number]:
             colours[number] = pictures[block.top][..., :3].mean(axis=(0, 1)) * block.tint / 255.0
+    return colours
+
+
+def _of_water(depth: np.ndarray) -> np.ndarray:
+    """Return the colours (n, m, 3) of water so many blocks deep (n, m)."""
+    sea = [np.interp(depth, [1, DEEP / 3, DEEP], DEPTHS[:, c]) for c in range(3)]
+    return np.stack(sea, axis=2)
+
+
+def map_picture(world: World, assets: Assets) -> np.ndarray:
+    """Return the map, uint8 (n, n, 3): north at the top, west at the left.
+
+    n is the world's side, or a fraction of it if that is more than MOST.
+    """
+    colours = _colours(assets)
     step = -(-world.side // MOST)
     columns = world.blocks[::step, ::step]
     side = len(columns)
@@ -70,8 +82,7 @@ def map_picture(world: World, assets: Assets) -> np.ndarray:
         slope = np.clip(top - north, -STEPS, STEPS)[..., None]
         land = colours[blocks[x, z, top]] * (1.0 + STEP * slope)
         depth = world.sea - 1 - top
-        sea = [np.interp(depth, [1, DEEP / 3, DEEP], DEPTHS[:, c]) for c in range(3)]
-        found = np.where(depth[..., None] > 0, np.stack(sea, axis=2), land)
+        found = np.where(depth[..., None] > 0, _of_water(depth), land)
         whole[:, start : start + AT_ONCE] = np.clip(found, 0, 255)
 
     return whole

@@ -186,6 +186,15 @@ def _about(row: Row, usual: str, language: str) -> str:
     return f"{row.key}\n{described(row, language)}\n{limits}"
 
 
+def _line(
+    row: Row, settings: object, defaults: object, chosen: bool, idle: bool, language: str
+) -> Line:
+    """Return a row as it is shown; ``idle`` if it has no effect now."""
+    value, default = row.value(settings), row.value(defaults)
+    differs = written(default, language) if value != default else ""
+    return Line(row.label, written(value, language), differs, chosen, idle)
+
+
 def page(
     settings: object,
     defaults: object,
@@ -209,13 +218,10 @@ def page(
         if row.group != group:
             group = row.group
             lines.append(Line(heading(group, language)))
-        value, default = row.value(settings), row.value(defaults)
-        usual = written(default, language)
         idle = ignored(settings, row.key, {*shown, WALK}, elements, slots, unread)
-        here, differs = row.name == chosen, usual if value != default else ""
-        lines.append(Line(row.label, written(value, language), differs, here, bool(idle)))
-        if here:
-            below = _about(row, usual, language)
+        lines.append(_line(row, settings, defaults, row.name == chosen, bool(idle), language))
+        if row.name == chosen:
+            below = _about(row, written(row.value(defaults), language), language)
             note = note or (said(idle, language) if idle else "")
 
     text = words.text

@@ -342,6 +342,13 @@ class Title:
         keymap = self.wishes.preferences.keys
         return help_rows(kind, kind.settings, self.language, system_name, keymap)
 
+    def _image(self, size: tuple[int, int], below: str, behind: Path | None) -> Drawn:
+        """Return the picture of the level that is shown, with a text below its entries."""
+        lines = [Row(each.text, each.beside) for each in self.entries]
+        first = self._drawn.first if self._drawn is not None else 0
+        listed = self.level.heading, lines, self.index, below, size, self._dpi, behind
+        return title_image(*listed, first=first)
+
     def draw(self) -> None:
         """Draw the title if it has changed, and show it."""
         size = self._context.pixels()
@@ -360,11 +367,7 @@ class Title:
         self._shown = shown
 
         self._dpi = enlarged(size, max(glfw.get_window_content_scale(self._context.window)), larger)
-        lines = [Row(each.text, each.beside) for each in self.entries]
-        heading, dpi = self.level.heading, self._dpi
-        first = self._drawn.first if self._drawn is not None else 0
-        listed = heading, lines, self.index, below, size, dpi, entry.picture
-        self._drawn = title_image(*listed, first=first)
+        self._drawn = self._image(size, below, entry.picture)
         self._context.make_current()
         self._release_plate()
         self._plate = Plate(self._drawn.image)

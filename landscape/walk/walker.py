@@ -149,6 +149,20 @@ def start(pose: Pose, ground: Terrain, settings: SceneSettings) -> Walker:
     return advance(walker, Intent(), 0.0, ground, (), settings)
 
 
+def _turned(
+    walker: Walker, intent: Intent, seconds: float, settings: SceneSettings
+) -> tuple[Walker, float]:
+    """Return the walker looking where he is to look, and his heading on the way, in degrees."""
+    walk = settings.walk
+    turned = intent.turn * walk.turn * seconds + intent.look[0] * walk.mouse
+    pitch = walker.pitch - intent.look[1] * walk.mouse
+
+    # In a turn, the heading half-way through the frame makes the path depend least on its length.
+    heading = walker.yaw + turned / 2
+    yaw = (walker.yaw + turned) % 360.0
+    return replace(walker, yaw=yaw, pitch=max(-MAX_PITCH, min(pitch, MAX_PITCH))), heading
+
+
 def advance(
     walker: Walker,
     intent: Intent,
@@ -160,16 +174,7 @@ def advance(
     """Return the walker ``seconds`` later; a long frame never takes it through a wall."""
     walk = settings.walk
     walker = _strike(walker, intent, seconds * settings.clock.kt_per_second, settings)
-    turned = intent.turn * walk.turn * seconds + intent.look[0] * walk.mouse
-    pitch = walker.pitch - intent.look[1] * walk.mouse
-
-    # In a turn, the heading half-way through the frame makes the path depend least on its length.
-    heading = walker.yaw + turned / 2
-    walker = replace(
-        walker,
-        yaw=(walker.yaw + turned) % 360.0,
-        pitch=max(-MAX_PITCH, min(pitch, MAX_PITCH)),
-    )
+    walker, heading = _turned(walker, intent, seconds, settings)
     walker = _jump_or_fall(walker, intent, seconds, settings)
     if intent.fly:
         walker = _take_off_or_land(walker, ground, settings)
@@ -316,6 +321,22 @@ def _walk(
     return replace(walker, x=x, y=y, z=z, step=step)
 
 
+def _wish(walker: Walker, intent: Intent, heading: float, settings: SceneSettings) -> Wish:
+    """Return how the walker's body is to move."""
+    walk = settings.walk
+    east, north, up = _velocity(intent, heading, walker.pitch if walker.flying else 0.0)
+    speed = walk.speed * (walk.run if intent.run else 1.0) * (FLY if walker.flying else 1.0)
+    return Wish(
+        east * speed,
+        (up + intent.up) * speed * walker.flying,
+        -north * speed,
+        jump=intent.up > 0.0,
+        flying=walker.flying,
+        eye=walk.eye,
+        dive=intent.up < 0.0,
+    )
+
+
 def _move_body(
     walker: Walker,
     intent: Intent,
@@ -326,20 +347,8 @@ def _move_body(
 ) -> Walker:
     """Let a scene move the walker's body, and put the eye where its place over the feet is."""
     walk = settings.walk
-    east, north, up = _velocity(intent, heading, walker.pitch if walker.flying else 0.0)
-    speed = walk.speed * (walk.run if intent.run else 1.0) * (FLY if walker.flying else 1.0)
     body = walker.body or Body(walker.x, walker.y - walk.eye, walker.z)
-    wish = Wish(
-        east * speed,
-        (up + intent.up) * speed * walker.flying,
-        -north * speed,
-        jump=intent.up > 0.0,
-        flying=walker.flying,
-        eye=walk.eye,
-        dive=intent.up < 0.0,
-    )
-
-    after = ground.moved(body, wish, seconds)
+    after = ground.moved(body, _wish(walker, intent, heading, settings), seconds)
     walked = math.hypot(after.x - walker.x, after.z - walker.z)
     on_foot = after.grounded and walker.body is not None
     step = walker.step + walked * walk.steps_per_unit * on_foot

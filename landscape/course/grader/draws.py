@@ -60,6 +60,14 @@ class Draw:
         return np.asarray(self.eye.mean(axis=0))
 
 
+def rotation(angle: float, axis: np.ndarray) -> np.ndarray:
+    """Return the matrix (3, 3) that turns by an angle in radians about an axis (3,), any length."""
+    x, y, z = axis / (np.linalg.norm(axis) or 1.0)
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    outer = np.outer((x, y, z), (x, y, z))
+    return np.asarray(outer + math.cos(angle) * (np.eye(3) - outer) + math.sin(angle) * cross)
+
+
 def matrix(name: str, args: Sequence[Any]) -> np.ndarray | None:
     """Return the matrix (4, 4) that a call multiplies with or loads; None for other calls."""
     known = spec.function(name)
@@ -71,11 +79,7 @@ def matrix(name: str, args: Sequence[Any]) -> np.ndarray | None:
     elif base == "glScale":
         found[range(3), range(3)] = args
     elif base == "glRotate":
-        angle, axis = math.radians(args[0]), np.array(args[1:], float)
-        x, y, z = axis / (np.linalg.norm(axis) or 1.0)
-        cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-        outer = np.outer((x, y, z), (x, y, z))
-        found[:3, :3] = outer + math.cos(angle) * (np.eye(3) - outer) + math.sin(angle) * cross
+        found[:3, :3] = rotation(math.radians(args[0]), np.array(args[1:], float))
     elif base in ("glMultMatrix", "glLoadMatrix"):
         found = np.array(args[0], float).reshape(4, 4).T
     elif base in ("glMultTransposeMatrix", "glLoadTransposeMatrix"):

@@ -40,6 +40,15 @@ class Trial:
     presses: Mapping[int, Mapping[str, int]]
 
 
+def _presses(key: str, count: int, frame: int) -> list[dict[str, object]]:
+    """Return the events of a key that is pressed so many times before a frame."""
+    return [
+        {"frame": frame, "key": key, "action": action}
+        for _press in range(count)
+        for action in ("press", "release")
+    ]
+
+
 def trial(code: str, chance: random.Random) -> Trial:
     """Return a trial of an exercise from its solution's code, which names the keys."""
     keys = sorted(set(KEY.findall(code)) - set(ENDS))
@@ -56,11 +65,7 @@ def trial(code: str, chance: random.Random) -> Trial:
         if isinstance(what, str):
             count = chance.choice(bounds)
             pressed[what] += count
-            events += [
-                {"frame": frame, "key": what, "action": action}
-                for _press in range(count)
-                for action in ("press", "release")
-            ]
+            events += _presses(what, count, frame)
         else:
             events.append(
                 {"frame": frame, "resize": [chance.randint(*what), chance.randint(*bounds)]}

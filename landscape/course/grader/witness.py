@@ -85,6 +85,25 @@ def run(order: Order, answers: int, leave: Callable[[int], object]) -> None:
         end({"error": {"word": "refused", "reason": str(error)}})
 
 
+def _raised(error: ProgramError, witness: "Witness", refusals: Refusals) -> dict[str, object]:
+    """Return the same of an exception that the program has raised."""
+    line = _line_of(str(error))
+    raised = str(error.values.get("reason", ""))
+    if witness.unclosed and "StateError" in raised:
+        return {"word": "unclosed", **witness.unclosed}
+    if refusals.refused and raised.startswith("PermissionError"):
+        return {"word": refusals.refused, "line": line}
+    if raised.startswith("PermissionError") and str(PACKAGE) in raised:
+        return {"word": "grader", "reason": PACKAGE.name}
+    if "MemoryError" in raised:
+        return {"word": "calls" if MANY_CALLS in raised else "memory", "line": line}
+
+    trouble = {"line": line, **_exception(raised, error.details)}
+    if witness.window is None and "call" in trouble:
+        trouble["word"] = "early"  # where calls without a context are errors, as on Windows
+    return trouble
+
+
 def _trouble(
     error: ProgramError, witness: "Witness", refusals: Refusals, late: bool
 ) -> dict[str, object]:
@@ -94,21 +113,7 @@ def _trouble(
         word = "grader" if name.partition(".")[0] == PACKAGE.name else "package"
         return {"word": word, "reason": name}
     if error.details.strip():
-        line = _line_of(str(error))
-        raised = str(error.values.get("reason", ""))
-        if witness.unclosed and "StateError" in raised:
-            return {"word": "unclosed", **witness.unclosed}
-        if refusals.refused and raised.startswith("PermissionError"):
-            return {"word": refusals.refused, "line": line}
-        if raised.startswith("PermissionError") and str(PACKAGE) in raised:
-            return {"word": "grader", "reason": PACKAGE.name}
-        if "MemoryError" in raised:
-            return {"word": "calls" if MANY_CALLS in raised else "memory", "line": line}
-        trouble = {"line": line, **_exception(raised, error.details)}
-        if witness.window is None and "call" in trouble:
-            trouble["word"] = "early"  # where calls without a context are errors, as on Windows
-        return trouble
-
+        return _raised(error, witness, refusals)
     reason = str(error).partition(": ")[2]
     for part, word in (
         ("opens two windows", "two_windows"),

@@ -151,6 +151,19 @@ def key_of(line: str) -> tuple[str, str]:
     return "", line
 
 
+def _check_key(where: str, key: str, value: str) -> None:
+    """Raise InputError for a line's key that there is not, or that has no value."""
+    if key not in KEYS:
+        raise InputError(
+            "{where}: {key}: expected one of {names}, or text",
+            where=where,
+            key=short(key),
+            names=", ".join(KEYS),
+        )
+    if not value:
+        raise InputError("{where}: {key}: expected something after the colon", where=where, key=key)
+
+
 def _step(path: Path, block: Lines) -> Step:
     number, name = block[0]
     step = _named(path, number, name)
@@ -160,18 +173,9 @@ def _step(path: Path, block: Lines) -> Step:
         key, value = key_of(line)
         if not key:
             captions.append(line)
-        elif key not in KEYS:
-            raise InputError(
-                "{where}: {key}: expected one of {names}, or text",
-                where=where,
-                key=short(key),
-                names=", ".join(KEYS),
-            )
-        elif not value:
-            raise InputError(
-                "{where}: {key}: expected something after the colon", where=where, key=key
-            )
-        elif key == "title":
+            continue
+        _check_key(where, key, value)
+        if key == "title":
             step.title = value
         elif key == "note":
             step.notes.append(value)

@@ -77,6 +77,11 @@ class Pair:
 
 
 @lru_cache(maxsize=512)
+def _is_usual(name: str) -> bool:
+    """Return whether many programs have a name: of Python's, or a short one."""
+    return USUAL.fullmatch(name) is not None or hasattr(builtins, name)
+
+
 def traces(code: str) -> Mapping[Key, int]:
     """Return what may be evidence in a program, with the line where each stands first.
 
@@ -94,8 +99,7 @@ def traces(code: str) -> Mapping[Key, int]:
                 found.setdefault((COMMENT, " ".join(words)), line)
             continue
         if token.type == tokenize.NAME and not keyword.iskeyword(token.string):
-            usual = attribute or USUAL.fullmatch(token.string) is not None
-            usual = usual or hasattr(builtins, token.string)
+            usual = attribute or _is_usual(token.string)
             sequence.append((token.string if usual else "N", line))
             if not usual:
                 found.setdefault((NAME, token.string), line)

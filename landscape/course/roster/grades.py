@@ -23,7 +23,7 @@ from framelens.base.executor import Kept, ahead, in_order, lent_or_own
 from framelens.base.output import png
 from framelens.base.texts import said, translator
 from framelens.system.processes import cores
-from landscape.course.exercise import Grader, Report, verdicts
+from landscape.course.exercise import Grader, Report, Verdict, verdicts
 from landscape.course.grader.budget import SECONDS
 from landscape.course.grader.confinement import AUTO
 from landscape.course.grader.grading import Hint, _
@@ -279,23 +279,32 @@ class _Opened:
 _open: Kept[_Opened] = Kept()
 
 
+def _shared_out(tests: list[Verdict], whole: float | None) -> tuple[float, float]:
+    """Share points out among tests, by the points they have; None keeps these.
+
+    Return the points for those passed, and all points.
+    """
+    right = sum(test["points"] for test in tests if test["passed"] is True)
+    all_points = sum(test["points"] for test in tests)
+    whole = all_points if whole is None else whole
+    for test in tests:
+        test["points"] = round(whole * test["points"] / all_points, 4)
+    return round(whole * right / all_points, 2), whole
+
+
 def _values(report: Report, rules: Rules) -> dict[str, Any]:
     translate = report.exercise.translate.to(rules.language)
     tests = verdicts(report, translate)
 
     told = (each for each in report.results if each.hint is not None and not each.test.hidden)
     first = next((each.hint for each in told), None)
-    right = sum(test["points"] for test in tests if test["passed"] is True)
-    all_points = sum(test["points"] for test in tests)
-    whole = rules.points if rules.points is not None else all_points
-    for test in tests:
-        test["points"] = round(whole * test["points"] / all_points, 4)
+    right, whole = _shared_out(tests, rules.points)
 
     values: dict[str, Any] = {
         "exercise": report.exercise.name,
         "contained": report.contained,
         "passed": report.passed,
-        "points": round(whole * right / all_points, 2),
+        "points": right,
         "of": whole,
         "tests": [
             {

@@ -8,7 +8,7 @@ the assignment, a number, or the words of a scale; Moodle passes over a grade ab
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from framelens.base.errors import InputError
@@ -65,9 +65,14 @@ def filled(worksheet: bytes, marks: Mapping[str, Mark], name: str) -> tuple[byte
         if comment is not None and len(row) > comment:
             changes.append((*row[comment], _quoted(mark.comment)))
 
+    return _changed(text, changes).encode(), sorted(left)
+
+
+def _changed(text: str, changes: Iterable[tuple[int, int, str]]) -> str:
+    """Return a text with other values in some places, (begin, end, value)."""
     for begin, end, value in sorted(changes, reverse=True):
         text = text[:begin] + value + text[end:]
-    return text.encode(), sorted(left)
+    return text
 
 
 def highest(worksheet: bytes, name: str) -> float | None:
