@@ -12,7 +12,7 @@ import os
 from collections.abc import Iterable
 from numbers import Real
 from pathlib import Path
-from typing import SupportsIndex, TypeVar
+from typing import SupportsIndex, TypeGuard, TypeVar
 
 from framelens.base.errors import InputError, short
 
@@ -123,6 +123,16 @@ def _whole(value: object) -> int | None:
     if isinstance(value, bool) or not isinstance(value, SupportsIndex):
         return None
     return operator.index(value)
+
+
+def is_number(value: object) -> TypeGuard[int | float]:
+    """Return whether a value of JSON or TOML is a number: true and false are none."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def are_texts(value: object) -> TypeGuard[list[str]]:
+    """Return whether a value of JSON or TOML is a list of texts."""
+    return isinstance(value, list) and all(isinstance(each, str) for each in value)
 
 
 def finite(value: object) -> float | None:

@@ -1,4 +1,4 @@
-"""OpenGL's constants and functions by their names, where these are data and not written down."""
+"""Constants and functions of OpenGL and GLFW by their names, where these are data."""
 
 from collections.abc import Callable
 from typing import Any
@@ -19,3 +19,8 @@ def texture_unit(number: int) -> int:
 def gl_function(name: str) -> Callable[..., Any]:
     """Return a function such as glFogf; AttributeError if there is none of this name."""
     return getattr(gl, name)  # type: ignore[no-any-return]
+
+
+def glfw_constant(glfw: Any, name: str) -> int:
+    """Return a constant of GLFW, such as KEY_A; AttributeError if there is none of this name."""
+    return getattr(glfw, name)  # type: ignore[no-any-return]

@@ -2,7 +2,7 @@
 
 import ctypes
 
-from framelens.gl.raw import raw
+from framelens.gl.raw import raw, raw_function
 from framelens.gl.seam import gl
 
 NAMES = 4096  # chosen: names that are looked at; programs count their objects from 1
@@ -19,7 +19,7 @@ def forget_objects() -> None:
         if raw.glIsList(name):
             raw.glDeleteLists(name, 1)
     for kind in KINDS:
-        is_one, delete = getattr(raw, f"glIs{kind}"), getattr(raw, f"glDelete{kind}s")
+        is_one, delete = raw_function(f"glIs{kind}"), raw_function(f"glDelete{kind}s")
         for name in range(1, NAMES):
             if is_one(name):
                 delete(1, (ctypes.c_uint * 1)(name))

@@ -9,6 +9,7 @@ Everything that draws goes through :data:`framelens.gl.seam.gl`.
 """
 
 import ctypes
+from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
@@ -63,3 +64,8 @@ def _declared(name: str) -> Any:
 
 
 raw: Any = Raw()
+
+
+def raw_function(name: str) -> Callable[..., Any]:
+    """Return a function whose name is data; AttributeError if there is none of this name."""
+    return getattr(raw, name)  # type: ignore[no-any-return]

@@ -10,7 +10,7 @@ accumulation buffer.
 
 import ctypes
 
-from framelens.gl.raw import raw
+from framelens.gl.raw import raw, raw_function
 from framelens.gl.redirected import BINDINGS, DOUBLEBUFFER, DRAW_BUFFER, redirection
 
 FRAMEBUFFER, RENDERBUFFER = 0x8D40, 0x8D41
@@ -47,7 +47,7 @@ class WindowFramebuffer:
 
     def _generated(self, kind: str) -> int:
         number = ctypes.c_uint32()
-        getattr(raw, f"glGen{kind}")(1, ctypes.byref(number))
+        raw_function(f"glGen{kind}")(1, ctypes.byref(number))
         return number.value
 
     @staticmethod

@@ -18,6 +18,7 @@ from typing import TextIO
 from framelens.base.errors import InputError
 from framelens.base.texts import choose
 from framelens.gl.contexts.glfw import call_for_pointer
+from framelens.gl.named import glfw_constant
 from framelens.gl.seam import (
     Call,
     GluCall,
@@ -361,7 +362,7 @@ class ProgramInspector(ExitStack):
             self._requests.button(button, action, mods)
             return
         for name in BUTTONS:
-            if button == getattr(self._glfw, f"MOUSE_BUTTON_{name.upper()}"):
+            if button == glfw_constant(self._glfw, f"MOUSE_BUTTON_{name.upper()}"):
                 self._add("button", name, action, mods)
 
     def _add(self, kind: str, name: str, action: int, mods: int) -> None:

@@ -18,6 +18,7 @@ from framelens.gl.contexts.cgl import CGLContext
 from framelens.gl.contexts.egl import EGLContext
 from framelens.gl.contexts.glfw import check_thread
 from framelens.gl.holders import replaced
+from framelens.gl.named import glfw_constant
 from framelens.gl.raw import raw
 from framelens.program.program_context import bind
 from framelens.program.program_events import BUTTONS, KEYS, MODS, Event
@@ -71,7 +72,7 @@ class _Glfw:
         self._started = 0.0  # where get_time counts from, in seconds of the held clock
         self._modes: dict[int, int] = {}
         self._double_buffered = True
-        self._keys = {getattr(glfw, f"KEY_{key}"): key for key in KEYS}
+        self._keys = {glfw_constant(glfw, f"KEY_{key}"): key for key in KEYS}
         self._codes = {key: code for code, key in self._keys.items()}
         self._mods = {mod: getattr(glfw, f"MOD_{mod.upper()}") for mod in MODS}
 
@@ -352,7 +353,7 @@ class _Glfw:
             self._call("char_mods", ord(event.text), mods)
 
     def _button(self, event: Event) -> None:
-        button = getattr(self._real, f"MOUSE_BUTTON_{event.name.upper()}")
+        button = glfw_constant(self._real, f"MOUSE_BUTTON_{event.name.upper()}")
         self._call("mouse_button", button, *self._action(event))
 
     def _move(self, event: Event) -> None:
@@ -376,7 +377,7 @@ class _Glfw:
         return int(self._real.PRESS if down else self._real.RELEASE)
 
     def get_mouse_button(self, window: object, button: int) -> int:
-        names = {getattr(self._real, f"MOUSE_BUTTON_{n.upper()}"): n for n in BUTTONS}
+        names = {glfw_constant(self._real, f"MOUSE_BUTTON_{n.upper()}"): n for n in BUTTONS}
         down = names.get(button) in self._run.events.buttons
         return int(self._real.PRESS if down else self._real.RELEASE)
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from framelens.base.errors import NoOpenGLError
 from framelens.gl.contexts.glfw import check_thread
+from framelens.gl.named import glfw_constant
 from framelens.gl.seam import unnoted
 from framelens.program.program_events import KEYS
 from framelens.program.program_run import Run, Window
@@ -59,7 +60,7 @@ class LiveWindow:
                 NoOpenGLError("GLFW opens no window: {get_error!s}", get_error=glfw.get_error()[1])
             )
         glfw.make_context_current(self._window)
-        keys = {getattr(glfw, f"KEY_{key}"): key for key in KEYS}
+        keys = {glfw_constant(glfw, f"KEY_{key}"): key for key in KEYS}
         run.live.attach(glfw, self._window, keys)
         run.clock.waits = _sleep
         self._shown_at = _now(), run.clock.now

@@ -110,10 +110,22 @@ def _paste_pictures(
             pen.text((x, box[1] + 3), what, GREY, face, "la")
 
 
+TextLine = tuple[int, str, Face, tuple[int, int, int], int]
+"""A line of a caption: where it begins, its text, font and colour, and its height in pixels."""
+
+
+def _write(block: Image.Image, lines: Iterable[TextLine], y: int) -> None:
+    """Write lines below each other, the first at ``y``."""
+    pen = ImageDraw.Draw(block)
+    for x, line, face, ink, step in lines:
+        pen.text((x, y), line, ink, face, "la")
+        y += step
+
+
 def _lines(
     page: Page, cell: Cell, across: int, indent: int, faces: tuple[Face, Face]
-) -> list[tuple[int, str, Face, tuple[int, int, int], int]]:
-    """Return the caption's lines: where they begin, text, font, colour and height in pixels."""
+) -> list[TextLine]:
+    """Return the lines of a step's caption; the first ones leave room for its number."""
     title, words = faces
     texts = [*cell.lines, cell.calls]
     if across >= WIDE:
@@ -140,11 +152,8 @@ def _block(page: Page, cell: Cell, box: tuple[int, int], side: int) -> Image.Ima
     names = round(SPACING * small) if len(cell.pictures) > 1 else 0
     height = box[1] + INSIDE + names + sum(line[-1] for line in lines)
     block = Image.new("RGB", (across, height), PAPER)
-    pen = ImageDraw.Draw(block)
     _paste_pictures(block, page, cell, box, words if names else None)
     y = box[1] + INSIDE + names
-    pen.text((0, y), writable(label, title), GREY, title, "la")
-    for x, line, face, ink, step in lines:
-        pen.text((x, y), line, ink, face, "la")
-        y += step
+    ImageDraw.Draw(block).text((0, y), writable(label, title), GREY, title, "la")
+    _write(block, lines, y)
     return block

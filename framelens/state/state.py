@@ -26,7 +26,7 @@ framebuffers. They are bound by their names, and must exist where a state is res
 
 from collections.abc import Mapping, Sequence
 
-from framelens.gl.raw import raw
+from framelens.gl.raw import raw, raw_function
 from framelens.spec.spec import parsed
 from framelens.state.state_reading import State, StateError, Values, plan, read_now, whole
 from framelens.state.state_setting import apply
@@ -80,7 +80,7 @@ def _read_pushed(stack: str, masks: list[int], state: State) -> list[dict[str, o
     levels: list[dict[str, object]] = []
     above = _values(state)
     for mask in reversed(masks):
-        getattr(raw, POP[stack])()
+        raw_function(POP[stack])()
         below = _values(read_now())
         saved = {name: value for name, value in below.items() if value != above[name]}
         levels.insert(0, {"mask": int(mask), "saved": saved})
@@ -97,7 +97,7 @@ def _push_again(
         mask = level["mask"]
         if isinstance(mask, str):
             mask = parsed(PUSH[stack], 0, (0,), mask)
-        getattr(raw, PUSH[stack])(mask)
+        raw_function(PUSH[stack])(mask)
         apply(now, state)
 
 
@@ -131,7 +131,7 @@ def restore(state: Values) -> None:
     for stack, levels in ((SERVER, server), (CLIENT, client)):
         kept = 0 if levels is not None else state.get(f"{stack}_DEPTH", whole(f"{stack}_DEPTH"))
         while whole(f"{stack}_DEPTH") > kept:
-            getattr(raw, POP[stack])()
+            raw_function(POP[stack])()
 
     now = _values(read_now())
     target = {**now, **{name: value for name, value in state.items() if name in now}}
@@ -145,7 +145,7 @@ def restore(state: Values) -> None:
         _push_again(CLIENT, client, now, target)
     for stack in (SERVER, CLIENT):
         for _ in range(state.get(f"{stack}_DEPTH", 0) - whole(f"{stack}_DEPTH")):
-            getattr(raw, PUSH[stack])(0)
+            raw_function(PUSH[stack])(0)
     if error := raw.glGetError():
         raise _refusal(error, target)
 

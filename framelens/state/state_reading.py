@@ -12,7 +12,7 @@ from typing import Any
 
 from framelens.base.errors import InputError
 from framelens.gl.named import gl_constant
-from framelens.gl.raw import raw
+from framelens.gl.raw import raw, raw_function
 from framelens.gl.seam import gl
 from framelens.state.state_tables import (
     BOOL,
@@ -224,7 +224,7 @@ def _step(name: str) -> Step:
         query += "Integerv" if query == "glGet" else "iv"
     args = (*map(enum, variable.asked), ctypes.addressof(buffer))
     count = len(variable.initial) if isinstance(variable.initial, tuple) else 0
-    return variable.name, getattr(raw, query), args, _taking(buffer, kind, count)
+    return variable.name, raw_function(query), args, _taking(buffer, kind, count)
 
 
 def _taking(buffer: Any, kind: Kind, count: int) -> Callable[[], object]:

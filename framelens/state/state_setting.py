@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import takewhile
 from typing import Any
 
-from framelens.gl.raw import raw
+from framelens.gl.raw import raw, raw_function
 from framelens.state.state_reading import TIGHT, State, StateError, Values, enum, read_now
 from framelens.state.state_tables import ARRAYS, DOUBLE, FLAG, FLOAT, IDENTITY, UNITS
 from framelens.state.state_variables import VARIABLES, Variable
@@ -183,7 +183,7 @@ def _set_rest(now: State, target: Mapping[str, object]) -> None:
             switch = ("glEnable" if target[name] else "glDisable") + (
                 "ClientState" if of_client else ""
             )
-            getattr(raw, switch)(enum(variable.asked[0]))
+            raw_function(switch)(enum(variable.asked[0]))
         elif variable.how:
             own = " ".join(f"${name}" if word in "$&" else word for word in variable.how.split())
             if own not in done:
@@ -247,9 +247,9 @@ def _set_stencil(states: _Difference, separate: bool) -> None:
             if not states.of(*names):
                 continue
             if separate:
-                getattr(raw, f"{function}Separate")(enum(face), *states.values(*names))
+                raw_function(f"{function}Separate")(enum(face), *states.values(*names))
             else:
-                getattr(raw, function)(*states.values(*names))
+                raw_function(function)(*states.values(*names))
 
 
 def _set_evaluators(states: _Difference) -> None:
@@ -259,7 +259,7 @@ def _set_evaluators(states: _Difference) -> None:
         if states.of(*grid):
             segments, domain = map(states.values, grid)
             args = [v for j in range(k) for v in (segments[j], *domain[2 * j : 2 * j + 2])]
-            getattr(raw, f"glMapGrid{k}f")(*args)
+            raw_function(f"glMapGrid{k}f")(*args)
 
     raw.glActiveTexture(enum("GL_TEXTURE0"))  # with another one OpenGL refuses evaluators
     for variable in VARIABLES.values():
@@ -278,7 +278,7 @@ def _set_evaluator(
     for k, count in enumerate(order):
         stride = width if k == len(order) - 1 else width * order[-1]
         args += [*domain[2 * k : 2 * k + 2], stride, count]
-    function = getattr(raw, f"glMap{len(order)}f")
+    function = raw_function(f"glMap{len(order)}f")
     function(enum(variable.asked[0]), *args, _array(points))
 
 
@@ -299,7 +299,7 @@ def _set_arrays(now: State, target: Mapping[str, object]) -> None:
             bound = target[parts[-1]]
             raw.glBindBuffer(enum("GL_ARRAY_BUFFER"), bound)
             args = [v for part in parts[:-1] for v in _numbers(VARIABLES[part], target[part])]
-            getattr(raw, function)(*args)
+            raw_function(function)(*args)
 
     if bound != target[name]:
         raw.glBindBuffer(enum("GL_ARRAY_BUFFER"), target[name])
@@ -365,4 +365,4 @@ def _call(variable: Variable, target: Mapping[str, object]) -> None:
             args += _numbers(VARIABLES[word[1:]], target[word[1:]])
         else:
             args.append(enum(word))
-    getattr(raw, function)(*args)
+    raw_function(function)(*args)

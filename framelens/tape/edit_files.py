@@ -18,6 +18,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path, PurePosixPath
 
+from framelens.base.arguments import are_texts, is_number
 from framelens.base.errors import InputError, short
 from framelens.base.input import read_bounded
 from framelens.base.output import write_whole
@@ -116,7 +117,7 @@ def _edit(entry: object, where: str) -> Edit:
 
 def _key(call: Mapping[str, object], where: str) -> Key:
     select = call.get("select", [])
-    if not isinstance(select, list) or not all(isinstance(each, str) for each in select):
+    if not are_texts(select):
         raise InputError('{where}: expected "select" to be a list of names', where=where)
 
     texts = [_text(call, name, where) for name in TEXTS]
@@ -153,7 +154,7 @@ def _text(entry: Mapping[str, object], name: str, where: str) -> str:
 
 def _whole(entry: Mapping[str, object], name: str, where: str) -> int:
     value = entry.get(name, 0)
-    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 1 << 31:
+    if type(value) is not int or not 0 <= value < 1 << 31:
         raise InputError(
             '{where}: {value}: expected "{name}" to be a number from 0 on',
             where=where,
@@ -196,8 +197,7 @@ def _enumerants() -> frozenset[str]:
 
 
 def _is_number(value: object) -> bool:
-    # A bool is an int of Python.
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e30
+    return is_number(value) and abs(value) < 1e30
 
 
 def _settled(edit: Edit, sources: Path | None) -> Edit:

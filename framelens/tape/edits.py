@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from framelens.base.arguments import is_number
 from framelens.base.errors import InputError, short
 from framelens.gl.notes import plain
 from framelens.gl.seam import Call, Listing, Site, gl
@@ -382,7 +383,7 @@ def _argument(call: Call, index: int, value: object) -> str:
     An enumerant that the program gave as a plain number, or as an array of one, has its name.
     """
     is_array = isinstance(value, dict) and value.get("shape") == [1]
-    if is_array or (isinstance(value, (int, float)) and not isinstance(value, bool)):
+    if is_array or is_number(value):
         name = spec.enumerant(call.name, index, call.args)
         if name:
             return f"[{name}]" if is_array else name

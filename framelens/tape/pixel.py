@@ -254,13 +254,21 @@ class _History:
         numbers = {"unit": unit, "mode": mode, "texel": _list(texel), "result": _list(result)}
         return text, numbers
 
+    def _of_fog(
+        self, draw: Draws, units: Sequence[int], source: np.ndarray
+    ) -> tuple[str, dict[str, object]]:
+        """Return what fog makes of the colour, which is ``source`` (4,) then."""
+        plain = self._through(draw, units, len(units))
+        haze = np.array(number("GL_FOG_COLOR"))
+        left, text = fogged(plain, source, haze)
+        return text, {"factor": left, "color": _list(haze), "result": _list(source)}
+
     def _arithmetic(
         self, draw: Draws, before: Pixel, parts: dict[str, Any]
     ) -> tuple[str, dict[str, object]]:
         """Return how a drawn fragment gets its colour, as text and as numbers."""
         probe = self._probe
         units = probe.units()
-        fog = enabled("GL_FOG")
         texts: list[str] = []
 
         if enabled("GL_LIGHTING"):
@@ -274,12 +282,9 @@ class _History:
             texts += [text for text, _ in steps]
             parts["units"] = [numbers for _, numbers in steps]
         source, depth = probe.fragment(draw)
-        if fog:
-            plain = self._through(draw, units, len(units))
-            haze = np.array(number("GL_FOG_COLOR"))
-            left, text = fogged(plain, source, haze)
+        if enabled("GL_FOG"):
+            text, parts["fog"] = self._of_fog(draw, units, source)
             texts.append(text)
-            parts["fog"] = {"factor": left, "color": _list(haze), "result": _list(source)}
         _mixed, text = Blend.now().mix(source, _unit(before))
         texts.append(text)
         parts |= {"fragment": _list(source), "fragment_depth": depth}

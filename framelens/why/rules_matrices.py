@@ -271,6 +271,15 @@ def _wiping(calls: Iterable[Call], mode: str) -> Call | None:
     return None
 
 
+def _modelview_after(survey: Survey) -> Change:
+    """Return the change that gives what was multiplied to a projection to the modelview matrix."""
+    return with_matrix(
+        "GL_MODELVIEW",
+        lambda d: matrix_of(d, "GL_MODELVIEW") @ matrix_of(d, "GL_PROJECTION"),
+        survey.shapes,
+    )
+
+
 def _wiped(survey: Survey) -> Iterator[Suspect]:
     """A projection that a glLoadIdentity wipes: the matrix mode was not set back, or never set."""
     projected = [note for note in survey.glu if note.name in PROJECTING and note.end > note.begin]
@@ -290,17 +299,9 @@ def _wiped(survey: Survey) -> Iterator[Suspect]:
         matrix = _matrix_by(survey, note)
         if matrix is None:
             continue
+        change = with_matrix("GL_PROJECTION", always(matrix), survey.shapes)
         if mode == "GL_PROJECTION":
-            # The calls after the projection belong to the modelview matrix.
-            change = with_matrix("GL_PROJECTION", always(matrix), survey.shapes) | (
-                with_matrix(
-                    "GL_MODELVIEW",
-                    lambda d: matrix_of(d, "GL_MODELVIEW") @ matrix_of(d, "GL_PROJECTION"),
-                    survey.shapes,
-                )
-            )
-        else:
-            change = with_matrix("GL_PROJECTION", always(matrix), survey.shapes)
+            change |= _modelview_after(survey)
         yield Suspect(
             "projection-wiped" if mode == "GL_PROJECTION" else "projection-on-modelview",
             at=note,

@@ -107,16 +107,9 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
         if other := _channels(call, image):
             yield _otherwise(upload, image, other)
             continue
+        again = Change(first=[_upload_again(call, texture, pixels[: row * height])])
         if upload.row_length not in (0, width) and pixels.size % row == 0:
-            yield Suspect(
-                "unpack-row-length",
-                at=upload.stored,
-                change=Change(first=[_upload_again(call, texture, pixels[: row * height])]),
-                strength=93,
-                state="GL_UNPACK_ROW_LENGTH",
-                value=upload.row_length,
-                values={"width": width, "length": upload.row_length, "line": call.site.line},
-            )
+            yield _other_row_length(upload, width, again)
             continue
         padded = -(-row // alignment) * alignment
         if padded != row and pixels.size < padded * (height - 1) + row:
@@ -124,7 +117,7 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
                 yield Suspect(
                     "unpack-alignment",
                     at=call,
-                    change=Change(first=[_upload_again(call, texture, pixels[: row * height])]),
+                    change=again,
                     strength=94,
                     state="GL_UNPACK_ALIGNMENT",
                     value=alignment,
@@ -134,6 +127,19 @@ def handed_over(survey: Survey) -> Iterator[Suspect]:
             yield _too_small(call, int(pixels.size), row * height)
 
         yield from _upside_down(survey, call, texture, image)
+
+
+def _other_row_length(upload: Upload, width: int, change: Change) -> Suspect:
+    """Return that OpenGL takes an image's rows for longer or shorter than they are."""
+    return Suspect(
+        "unpack-row-length",
+        at=upload.stored,
+        change=change,
+        strength=93,
+        state="GL_UNPACK_ROW_LENGTH",
+        value=upload.row_length,
+        values={"width": width, "length": upload.row_length, "line": upload.call.site.line},
+    )
 
 
 def _too_small(call: Call, size: int, needed: int) -> Suspect:

@@ -157,15 +157,11 @@ def _told(value: T, name: str, done: Callable[[str], None]) -> T:
 
 def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, object]:
     """Return ``layer_ms`` and ``views``; views with the same settings share one open scene."""
-    groups: dict[tuple[str, SceneSettings], list[str]] = {}
-    for name in dict.fromkeys(options.views):
-        kind, view = find_view(name)
-        groups.setdefault((kind.name, options.values(kind, view)), []).append(name)
     layer = Layer(options.size)
     times: dict[str, list[float]] = {}
     calls: dict[str, int] = {}
     try:
-        for (kind_name, values), names in groups.items():
+        for (kind_name, values), names in _groups(options).items():
             times |= _measure_group(options, scene(kind_name), values, names, layer, calls, done)
     finally:
         layer.release()
@@ -176,6 +172,15 @@ def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, ob
         frame_ms, replay_ms = median(times[f"{name} frame"]), median(times[f"{name} replay"])
         views[name] = _costs(frame_ms, replay_ms, layer_ms) | {"gl_calls": calls[name]}
     return {"layer_ms": layer_ms, "views": views}
+
+
+def _groups(options: Options) -> dict[tuple[str, SceneSettings], list[str]]:
+    """Return the names of the views by scene and settings."""
+    groups: dict[tuple[str, SceneSettings], list[str]] = {}
+    for name in dict.fromkeys(options.views):
+        kind, view = find_view(name)
+        groups.setdefault((kind.name, options.values(kind, view)), []).append(name)
+    return groups
 
 
 def _costs(frame_ms: float, replay_ms: float, layer_ms: float) -> dict[str, float]:

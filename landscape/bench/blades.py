@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from statistics import median
 from typing import Any, Protocol
 
@@ -34,6 +35,16 @@ class Owner(Protocol):
         """Delete it."""
 
 
+def _widened(values: Settings, count: int, wider: float) -> Settings:
+    """Return settings of an island so many times as wide, with ``count`` blades."""
+    return replace(
+        values,
+        grass=replace(values.grass, count=count),
+        ground=replace(values.ground, size=values.ground.size * wider),
+        castle=replace(values.castle, x=values.castle.x * wider, z=values.castle.z * wider),
+    )
+
+
 def measure_grass(
     values: Settings, count: int, size: tuple[int, int], assets: Assets, seed: int, rounds: int
 ) -> dict[str, float]:
@@ -46,12 +57,7 @@ def measure_grass(
     their number, so that they stand as densely as 200,000 on the island.
     """
     wider = 1.0 if count <= MOST_ON_ISLAND else float(np.sqrt(count / BLADES))
-    values = replace(
-        values,
-        grass=replace(values.grass, count=count),
-        ground=replace(values.ground, size=values.ground.size * wider),
-        castle=replace(values.castle, x=values.castle.x * wider, z=values.castle.z * wider),
-    )
+    values = _widened(values, count, wider)
     owned: list[Owner] = []
     try:
         owned.append(ground := Ground(values, assets, sun.direction(values.sun)))
@@ -63,14 +69,8 @@ def measure_grass(
         grass.draw(frame)
         drawn = len(grass.select(frame).positions)
         owned.append(static := DisplayList(lambda: grass.draw(frame)))
-        times = in_turns(
-            {
-                "select": lambda: grass.select(frame),
-                "draw": lambda: grass.draw(frame),
-                "static": static.call,
-            },
-            rounds,
-        )
+        select, draw = partial(grass.select, frame), partial(grass.draw, frame)
+        times = in_turns({"select": select, "draw": draw, "static": static.call}, rounds)
     finally:
         for owner in reversed(owned):
             owner.release()

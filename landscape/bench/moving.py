@@ -262,6 +262,15 @@ def _clip_coordinates(depths: np.ndarray) -> np.ndarray:
     return np.stack([x, y, depths * 2.0 - 1.0, np.ones_like(x)])
 
 
+def _alike(then: np.ndarray, now: np.ndarray) -> np.ndarray:
+    """Return where depths, 0..1, are those of the same thing: they differ by a twentieth at most.
+
+    Depths are crowded at 1: their distance from it is what is compared.
+    """
+    then, now = 1.0 - then, 1.0 - now
+    return np.asarray(np.abs(then - now) <= 0.05 * np.maximum(then, now) + 1e-6)
+
+
 def carried(earlier: Picture, later: Picture) -> np.ndarray:
     """Return where in the earlier picture each pixel of the later one was, (h, w, 2) in pixels.
 
@@ -278,10 +287,7 @@ def carried(earlier: Picture, later: Picture) -> np.ndarray:
     inside = (nearest >= 0).all(axis=2) & (nearest < (height, width)).all(axis=2) & (back[3] > 0)
     nearest[~inside] = 0
 
-    # Depths are crowded at 1: their distance from it is what is compared, by a twentieth.
-    then = 1.0 - earlier.depths[nearest[..., 0], nearest[..., 1]]
-    now = 1.0 - (depth + 1.0) / 2.0
-    same = np.abs(then - now) <= 0.05 * np.maximum(then, now) + 1e-6
+    same = _alike(earlier.depths[nearest[..., 0], nearest[..., 1]], (depth + 1.0) / 2.0)
     return np.where((inside & same)[..., None], at, np.nan)
 
 

@@ -8,6 +8,7 @@ from framelens.base.errors import InputError
 from landscape.flyover import settings as flyover
 from landscape.scene.scene import SCENES, Scene, check_options, scene
 from landscape.settings import declare
+from landscape.settings.declare import Kind
 from landscape.settings.notices import (
     WALK,
     Slot,
@@ -138,10 +139,10 @@ def as_text(found: Sequence[Row]) -> Iterator[str]:
         yield from _lines(row, kind)
 
 
-def _with_unit(row: Row) -> str:
-    value = row["value"]
-    unit = row["unit"] if isinstance(value, int | float | tuple) else ""
-    return value_text(value) + (f" {unit}" if unit and not isinstance(value, bool) else "")
+def _with_unit(row: Row, item: declare.Setting) -> str:
+    """Return a value with its unit, if it is a number or several."""
+    numbers = item.kind in (Kind.WHOLE, Kind.NUMBER, Kind.NUMBERS)
+    return f"{value_text(row['value'])} {row['unit'] if numbers else ''}".rstrip()
 
 
 def _values(row: Row) -> str:
@@ -163,10 +164,11 @@ def _needs(row: Row, kind: type) -> list[str]:
 
 
 def _lines(row: Row, kind: type) -> Iterator[str]:
-    head, source = f"  {row['key']:28} {_with_unit(row)}", f"[{row['source']}]"
+    item = declare.fields(kind)[row["key"]]
+    head, source = f"  {row['key']:28} {_with_unit(row, item)}", f"[{row['source']}]"
     room = WIDTH - len(head) - len(source)
     yield head + (" " * room + source if room > 0 else "")
-    lines = [row["does"], f"{_accepted(row)}; {_values(row)}"]
+    lines = [row["does"], f"{_accepted(row, item)}; {_values(row)}"]
     if needs := _needs(row, kind):
         lines.append("needs " + "; ".join(needs))
     if row["ignored"]:
@@ -177,11 +179,11 @@ def _lines(row: Row, kind: type) -> Iterator[str]:
         yield from textwrap.wrap(line, WIDTH, initial_indent=" " * 6, subsequent_indent=" " * 8)
 
 
-def _accepted(row: Row) -> str:
+def _accepted(row: Row, item: declare.Setting) -> str:
     """Return what values a setting takes, in few words."""
-    if isinstance(row["default"], bool):
+    if item.kind == Kind.SWITCH:
         return "on or off"
-    if isinstance(row["default"], str):
+    if item.kind in (Kind.CHOICE, Kind.FILE):
         return " | ".join(row["choices"]) or row["unit"]
-    count = f"{len(row['default'])} numbers, " if isinstance(row["default"], tuple) else ""
+    count = f"{item.count} numbers, " if item.kind == Kind.NUMBERS else ""
     return f"{count}{value_text(row['low'])} to {value_text(row['high'])}"

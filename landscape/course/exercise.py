@@ -168,23 +168,19 @@ class Grader:
         if error is not None:
             return Report(found, tests, error=error)
 
-        work, solution = self._run(
+        work, trouble, solution = self._run(
             path, found, shown.frames, shown.events, self._solutions.get(found.name)
         )
         self._solutions[found.name] = solution
-        if not isinstance(work, Evidence):
-            return Report(found, tests, error=work, contained=self._sandbox.contained)
+        if work is None:
+            return Report(found, tests, error=trouble, contained=self._sandbox.contained)
 
         told, equal = None, False
         right = same_pictures(shown.tests, work, solution)
         if right:
             told, equal = self._tried(path, found, drawn, take, last)
         results = grade(shown.tests, work, solution, equal and equal_pictures(work, solution))
-        # The hint of another test that has failed says more of why the picture is wrong elsewhere.
-        if right and all(result.passed for result in results):
-            results.append(Result(last, told is None, told))
-        else:
-            results.append(Result(last, None))
+        results.append(_elsewhere(results, last, right, told))
         if hidden is not None:
             results += self._unseen(path, found, hidden, equal)
 
@@ -207,12 +203,12 @@ class Grader:
     ) -> tuple[Hint | None, bool]:
         """Run a program in a trial; return what is wrong there, and whether nothing differs."""
         known = self._elsewhere.get(found.name)
-        work, solution = self._run(
+        work, trouble, solution = self._run(
             path, found, drawn.frames, drawn.events, known, calls=False, take=take
         )
         self._elsewhere[found.name] = solution
-        if not isinstance(work, Evidence):
-            return broken_off(work), False
+        if work is None:
+            return broken_off(trouble), False
         return test.check(work, solution), equal_pictures(work, solution)
 
     def _unseen(self, path: Path, found: Exercise, hidden: Grading, equal: bool) -> list[Result]:
@@ -220,13 +216,13 @@ class Grader:
 
         ``equal``: in the trial nothing differed.
         """
-        work, solution = self._run(
+        work, trouble, solution = self._run(
             path, found, hidden.frames, hidden.events, self._hidden.get(found.name)
         )
         self._hidden[found.name] = solution
-        if isinstance(work, Evidence):
+        if work is not None:
             return grade(hidden.tests, work, solution, equal and equal_pictures(work, solution))
-        reason = hint(Text(SENTENCES[str(work["word"])]), **work)
+        reason = hint(Text(SENTENCES[str(trouble["word"])]), **trouble)
         stopped = hint(_("In the run of the hidden tests this happens: {reason}"), reason=reason)
         first, *others = hidden.tests
         return [Result(first, False, stopped), *(Result(test, None) for test in others)]
@@ -240,11 +236,11 @@ class Grader:
         solution: Evidence | None,
         calls: bool = True,
         take: int = 0,
-    ) -> tuple[Evidence | dict[str, object], Evidence]:
+    ) -> tuple[Evidence | None, dict[str, Any], Evidence]:
         """Run a program, and the solution beside it if its evidence is not there yet.
 
-        ``take`` is that of a recorded solution. Return the evidence of both; of the program what
-        went wrong, if anything did.
+        ``take`` is that of a recorded solution. Return the program's evidence, None if something
+        went wrong, then what that is, and the solution's evidence.
         """
         program = solution_of(found.folder)
         model = None
@@ -258,12 +254,13 @@ class Grader:
         if solution is None:
             solution = _solution(found, program, model, outcomes[1], frames)
 
-        work = _evidence(path, outcomes[0], frames)
-        if not isinstance(work, Evidence):
-            work = {"seconds": self._seconds, "megabytes": jobs[0].megabytes, **work}
-        elif calls and (other := self._drawn_otherwise(work, frames, events)) is not None:
-            work = {"word": "forged", "frame": other}
-        return work, solution
+        work, trouble = _evidence(path, outcomes[0], frames)
+        if work is None:
+            limits = {"seconds": self._seconds, "megabytes": jobs[0].megabytes}
+            return None, limits | trouble, solution
+        if calls and (other := self._drawn_otherwise(work, frames, events)) is not None:
+            return None, {"word": "forged", "frame": other}, solution
+        return work, {}, solution
 
     def _drawn_otherwise(
         self, work: Evidence, frames: Sequence[int], events: Sequence[dict[str, object]]
@@ -283,8 +280,8 @@ class Grader:
             # Twice the time: what it takes must not depend on what else the machine does.
             job = Job(player, frames, events, seconds=2 * self._seconds, recorded=str(file))
             (outcome,) = self._sandbox.run([job])
-        again = _evidence(recorded.PLAYER, outcome, frames)
-        if not isinstance(again, Evidence):
+        again, _trouble = _evidence(recorded.PLAYER, outcome, frames)
+        if again is None:
             return min(frames)
         return next((n for n in frames if not same_drawing(work.frame(n), again.frame(n))), None)
 
@@ -312,6 +309,16 @@ class Grader:
         return told(outcome.answer[0].get("cause")) if outcome.answer is not None else None
 
 
+def _elsewhere(results: Sequence[Result], last: Test, right: bool, told: Hint | None) -> Result:
+    """Return the result of the test in a trial, in which ``told`` is wrong.
+
+    Where a picture is not ``right``, or another test has failed, its hint says more of why.
+    """
+    if right and all(result.passed for result in results):
+        return Result(last, told is None, told)
+    return Result(last, None)
+
+
 def _solution(
     found: Exercise,
     program: Path | None,
@@ -324,12 +331,12 @@ def _solution(
     ``program`` is its file, None for a recorded one.
     """
     # A recorded one has no text: the tests compare with the text of the start.
-    shown = _evidence(model or found.folder / "start.py", outcome, frames)
-    if not isinstance(shown, Evidence):
+    shown, trouble = _evidence(model or found.folder / "start.py", outcome, frames)
+    if shown is None:
         raise InputError(
             "{model}: the solution cannot be run here ({solution})",
             model=program or found.folder,
-            solution=shown.get("reason", shown["word"]),
+            solution=trouble.get("reason", trouble["word"]),
         )
     return shown
 
@@ -347,25 +354,27 @@ def _syntax(path: Path) -> dict[str, object] | None:
     return None
 
 
-def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence | dict[str, Any]:
-    """Return the evidence of a program that has run, or what went wrong."""
+def _evidence(
+    path: Path, outcome: Outcome, frames: Sequence[int]
+) -> tuple[Evidence | None, dict[str, Any]]:
+    """Return the evidence of a program that has run; None if something went wrong, then what."""
     if outcome.ended in (LATE, *TOO_MUCH):
-        return {"word": outcome.ended}
+        return None, {"word": outcome.ended}
     if outcome.crashed:
         if outcome.line:
-            return {"word": "crashed_at", "signal": outcome.ended, "line": outcome.line}
-        return {"word": "crashed", "signal": outcome.ended}
+            return None, {"word": "crashed_at", "signal": outcome.ended, "line": outcome.line}
+        return None, {"word": "crashed", "signal": outcome.ended}
 
     died = {"word": "died", "signal": outcome.ended or "status 0"}
     if outcome.answer is None:
-        return died
+        return None, died
     try:
         answer = outcome.answer[0]
         if "error" in answer:
-            return dict(answer["error"]) if known(answer["error"]) else died
-        return _sound(load(path, outcome.answer, frames))
+            return None, dict(answer["error"]) if known(answer["error"]) else died
+        return _sound(load(path, outcome.answer, frames)), {}
     except TooLarge:
-        return {"word": FULL}
+        return None, {"word": FULL}
     except (
         ArithmeticError,
         AttributeError,
@@ -374,7 +383,7 @@ def _evidence(path: Path, outcome: Outcome, frames: Sequence[int]) -> Evidence |
         TypeError,
         ValueError,
     ):
-        return died  # the program itself wrote into the file
+        return None, died  # the program itself wrote into the file
 
 
 def _sound(found: Evidence) -> Evidence:

@@ -127,6 +127,16 @@ def _insert(new: Sequence[Statement], whole: list[Statement], at: int) -> int:
     return at + len(new)
 
 
+def _end_of_head(trees: Sequence[ast.stmt], lines: Sequence[str]) -> int:
+    """Return how many lines a program's docstring and tags take."""
+    end = 0
+    if trees and _is_docstring(trees[0]):
+        end = trees[0].end_lineno or 0
+    while end < len(lines) and lines[end].startswith("#"):
+        end += 1
+    return end
+
+
 def _read(code: str) -> tuple[str, list[Statement]]:
     """Return the lines above a program's first statement, docstring and tags, and its statements.
 
@@ -135,12 +145,10 @@ def _read(code: str) -> tuple[str, list[Statement]]:
     code = code.replace("\r\n", "\n").rstrip()
     lines = [f"{line}\n" for line in code.split("\n")]
     trees = ast.parse(code).body
-    end = 0
-    if trees and _is_docstring(trees[0]):
-        end = trees.pop(0).end_lineno or 0
-    while end < len(lines) and lines[end].startswith("#"):
-        end += 1
+    end = _end_of_head(trees, lines)
     head = "".join(lines[:end])
+    if trees and _is_docstring(trees[0]):
+        trees.pop(0)
 
     found: list[Statement] = []
     for tree in trees:
@@ -166,15 +174,16 @@ def _is_docstring(tree: ast.stmt) -> bool:
 
 def _name(tree: ast.stmt) -> str:
     """Return the name that a statement gives, as it is written; "" if it gives none."""
-    if isinstance(tree, DEFINITIONS):
-        return tree.name
-    if isinstance(tree, ast.Assign):
-        return ast.unparse(tree.targets[0])
-    if isinstance(tree, ast.AnnAssign):
-        return ast.unparse(tree.target)
-    if isinstance(tree, IMPORTS):
-        return ast.unparse(tree)
-    return "__main__" if isinstance(tree, ast.If) else ""
+    match tree:
+        case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+            return name
+        case ast.Assign(targets=[target, *_]) | ast.AnnAssign(target=target):
+            return ast.unparse(target)
+        case ast.Import() | ast.ImportFrom():
+            return ast.unparse(tree)
+        case ast.If():
+            return "__main__"
+    return ""
 
 
 def _place_of_import(part: Statement, whole: Sequence[Statement]) -> int:
@@ -185,13 +194,15 @@ def _place_of_import(part: Statement, whole: Sequence[Statement]) -> int:
 
 
 def _order(tree: ast.stmt) -> tuple[bool, bool, str]:
-    if isinstance(tree, ast.ImportFrom):
-        module = tree.module or ""
-    else:
-        assert isinstance(tree, ast.Import)
-        module = tree.names[0].name
-    installed = module.split(".")[0] not in sys.stdlib_module_names
-    return installed, isinstance(tree, ast.ImportFrom), module.lower()
+    match tree:
+        case ast.ImportFrom(module=module):
+            name, some_of_it = module or "", True
+        case ast.Import(names=[alias, *_]):
+            name, some_of_it = alias.name, False
+        case _:
+            raise TypeError(f"{tree}: expected an import")
+    installed = name.split(".")[0] not in sys.stdlib_module_names
+    return installed, some_of_it, name.lower()
 
 
 def _joined(whole: Sequence[Statement]) -> Iterator[str]:

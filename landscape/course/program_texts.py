@@ -139,17 +139,22 @@ def _broken(source: str) -> str:
     """Return a program whose calls have their arguments on lines below where one is too long."""
     rows = source.splitlines()
     for node in ast.walk(ast.parse(source)):
-        if not isinstance(node, ast.Expr) or not isinstance(node.value, ast.Call):
-            continue
-        if node.end_lineno == node.lineno and len(rows[node.lineno - 1]) > COLUMNS:
-            call, indent = node.value, " " * node.col_offset
-            each = [ast.get_source_segment(source, a) for a in (*call.args, *call.keywords)]
-            inside = [f"{indent}    {', '.join(map(str, each))}"]
-            if len(inside[0]) > COLUMNS:
-                inside = [f"{indent}    {argument}," for argument in each]
-            name = ast.get_source_segment(source, call.func)
-            rows[node.lineno - 1] = "\n".join([f"{indent}{name}(", *inside, f"{indent})"])
+        match node:
+            case ast.Expr(value=ast.Call() as call, lineno=row, end_lineno=end) if end == row:
+                if len(rows[row - 1]) > COLUMNS:
+                    rows[row - 1] = _broken_call(source, call)
     return "\n".join(rows) + "\n"
+
+
+def _broken_call(source: str, call: ast.Call) -> str:
+    """Return a call with its arguments on a line below, or on one each if they are too long."""
+    indent = " " * call.col_offset
+    each = [ast.get_source_segment(source, a) for a in (*call.args, *call.keywords)]
+    inside = [f"{indent}    {', '.join(map(str, each))}"]
+    if len(inside[0]) > COLUMNS:
+        inside = [f"{indent}    {argument}," for argument in each]
+    name = ast.get_source_segment(source, call.func)
+    return "\n".join([f"{indent}{name}(", *inside, f"{indent})"])
 
 
 def _remarks(source: str) -> Iterator[Remark]:
@@ -184,6 +189,10 @@ def _joined(block: list[tokenize.TokenInfo]) -> Remark:
     return Remark(text, row - 1, block[-1].start[0], column)
 
 
+SHOWN = {"write": 2, "_": 0, "glfw.create_window": 2, "sys.exit": 0}
+"""Functions that show a text, and which of their arguments it is."""
+
+
 def _shown(source: str) -> list[ast.Constant]:
     """Return the strings that a program shows.
 
@@ -192,26 +201,24 @@ def _shown(source: str) -> list[ast.Constant]:
     """
     found: list[ast.Constant] = []
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Call):
-            at = {"write": 2, "_": 0, "glfw.create_window": 2, "sys.exit": 0}.get(
-                ast.unparse(node.func)
-            )
-            found += _strings(node.args[at : at + 1] if at is not None else ())
-        elif isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "LABELS":
-            found += _strings([node.value])
+        match node:
+            case ast.Call(func=function, args=arguments):
+                at = SHOWN.get(ast.unparse(function))
+                found += _strings(arguments[at : at + 1] if at is not None else ())
+            case ast.Assign(targets=[ast.Name(id="LABELS")], value=table):
+                found += _strings([table])
     return found
 
 
 def _strings(nodes: Iterable[ast.AST]) -> Iterator[ast.Constant]:
     """Yield the strings that these expressions may be, or that tables hold as elements."""
     for node in nodes:
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            yield node
-        elif isinstance(node, ast.IfExp):
-            yield from _strings((node.body, node.orelse))
-        elif isinstance(node, ast.Tuple | ast.List):
-            yield from _strings(node.elts)
-        elif isinstance(node, ast.Dict):
-            yield from _strings(node.values)
-        elif isinstance(node, ast.Subscript):
-            yield from _strings([node.value])
+        match node:
+            case ast.Constant(value=str()):
+                yield node
+            case ast.IfExp(body=one, orelse=other):
+                yield from _strings((one, other))
+            case ast.Tuple(elts=values) | ast.List(elts=values) | ast.Dict(values=values):
+                yield from _strings(values)
+            case ast.Subscript(value=table):
+                yield from _strings([table])

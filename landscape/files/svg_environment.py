@@ -166,10 +166,14 @@ def _map(path: Path, found: Found) -> tuple[Image.Image, np.ndarray, tuple[str, 
     turned = bool(np.abs(to_pixels[[0, 1], [1, 0]]).max() > 1e-9)
     if turned or svg_drawing.rasteriser() is None:
         return image, to_pixels, (_left_out(path, found, faded, turned),)
+    return _drawing(path, found, _box(to_pixels, image.size), image.size), to_pixels, ()
+
+
+def _box(to_pixels: np.ndarray, size: tuple[int, int]) -> tuple[float, float, float, float]:
+    """Return the x, y, width and height of an image that is not turned, in outer coordinates."""
     left, top = -to_pixels[:2, 2] / np.diag(to_pixels)[:2]
-    width, height = np.array(image.size) / np.diag(to_pixels)[:2]
-    box = tuple(map(float, (left, top, width, height)))
-    return _drawing(path, found, box, image.size), to_pixels, ()
+    width, height = np.array(size) / np.diag(to_pixels)[:2]
+    return float(left), float(top), float(width), float(height)
 
 
 def _map_of_shapes(path: Path, found: Found) -> tuple[Image.Image, np.ndarray]:

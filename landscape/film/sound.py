@@ -9,7 +9,7 @@ import io
 import math
 import pickle
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -66,12 +66,11 @@ class Track:
         return np.concatenate([np.zeros((lead, 2), np.float32), sound])
 
 
-def _loud(
-    seconds: np.ndarray, ends: tuple[float, float], fades: tuple[float, float], first: bool
-) -> np.ndarray:
-    """Return how loud a part is at times of the film: it is faded in and out at its two ends."""
-    loud = fading(seconds - ends[0], fades[0], first)
-    loud *= faded_out(seconds - ends[1], fades[1])
+def _loud(film: Film, k: int, seconds: np.ndarray, starts: Sequence[float]) -> np.ndarray:
+    """Return how loud part ``k`` is at times of the film: it fades in, and out under the next."""
+    after = film.parts[k + 1].fade if k + 1 < len(film.parts) else 0.0
+    loud = fading(seconds - starts[k], film.parts[k].fade, k == 0)
+    loud *= faded_out(seconds - starts[k + 1], after)
     return loud
 
 
@@ -87,9 +86,8 @@ def blocks(film: Film, stage: Stage) -> Iterator[np.ndarray]:
         samples = min(step, total - begin)
         seconds = (begin + np.arange(samples)) / RATE
         sound = np.zeros((samples, 2), np.float32)
-        for k, (part, track) in enumerate(zip(film.parts, tracks, strict=True)):
-            after = film.parts[k + 1].fade if k + 1 < len(film.parts) else 0.0
-            loud = _loud(seconds, (starts[k], starts[k + 1]), (part.fade, after), k == 0)
+        for k, track in enumerate(tracks):
+            loud = _loud(film, k, seconds, starts)
             if loud.any():
                 sound += loud[:, None] * track.mixed(begin, samples)
         if film.ending > 0.0:

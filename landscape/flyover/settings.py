@@ -262,15 +262,20 @@ PRESETS: dict[str, dict[str, Value]] = {
 def check(settings: Settings) -> None:
     """Raise InputError where the values of two settings contradict each other."""
     ours = settings.flyover
-    for low, high in (("left", "right"), ("bottom", "top"), ("near", "far")):
-        if getattr(ours, low) >= getattr(ours, high):
+    pairs = (
+        ("left", ours.left, "right", ours.right),
+        ("bottom", ours.bottom, "top", ours.top),
+        ("near", ours.near, "far", ours.far),
+    )
+    for low, least, high, most in pairs:
+        if least >= most:
             raise InputError(
                 "setting flyover.{low}: expected less than flyover.{high} ({most:g}), "
                 "not {value:g}",
                 low=low,
                 high=high,
-                most=getattr(ours, high),
-                value=getattr(ours, low),
+                most=most,
+                value=least,
             )
 
     if ours.resolution == 1 or ours.resolution & (ours.resolution - 1):

@@ -11,6 +11,7 @@ import os
 import tomllib
 from collections.abc import Mapping
 from dataclasses import field
+from enum import Enum, auto
 from numbers import Real
 from pathlib import Path
 from typing import TypeVar
@@ -29,6 +30,27 @@ SWITCHES = {"true": True, "on": True, "1": True, "yes": True} | {
 }
 """What users may write for a bool."""
 Value = bool | int | float | str | tuple[float, ...]
+
+
+class Kind(Enum):
+    """What values a setting takes."""
+
+    SWITCH = auto()
+    CHOICE = auto()
+    FILE = auto()
+    WHOLE = auto()
+    NUMBER = auto()
+    NUMBERS = auto()
+
+
+KINDS = {
+    bool: Kind.SWITCH,
+    int: Kind.WHOLE,
+    float: Kind.NUMBER,
+    str: Kind.FILE,
+    tuple: Kind.NUMBERS,
+}
+"""By the type of a setting's default, unless it has choices."""
 Settings = TypeVar("Settings")
 Default = TypeVar("Default", bound=Value)
 Tables = Mapping[str, Mapping[str, Value]]
@@ -47,6 +69,16 @@ class Setting:
     unit: str = ""
     needs: tuple[str, ...] = ()
     tables: Tables | None = None
+
+    @property
+    def kind(self) -> Kind:
+        """What values it takes."""
+        return Kind.CHOICE if self.choices else KINDS[type(self.default)]
+
+    @property
+    def count(self) -> int:
+        """How many numbers its value is."""
+        return len(self.default) if isinstance(self.default, tuple) else 1
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -306,7 +338,6 @@ def read_toml(path: Path) -> dict[str, object]:
 
 def _checked(key: str, item: Setting, given: object) -> Value:
     """Convert a user's value to the type of the key's default, and check its limits."""
-    default = item.default
     wrong = InputError(
         "setting {key}: expected {expected}, not {value}",
         key=key,
@@ -314,27 +345,30 @@ def _checked(key: str, item: Setting, given: object) -> Value:
         value=short(given),
     )
     value = plain(given)
-    if isinstance(default, bool):
+    if item.kind == Kind.SWITCH:
         switch = SWITCHES.get(value.lower()) if isinstance(value, str) else value
         if not isinstance(switch, bool):
             raise wrong
         return switch
 
-    if isinstance(default, str):
+    if item.kind in (Kind.CHOICE, Kind.FILE):
         text = os.fspath(value) if isinstance(value, os.PathLike) else value
-        if not isinstance(text, str) or (item.choices and text not in item.choices):
-            raise wrong
-        if not item.choices and not _names_a_file(text):
+        if not isinstance(text, str) or not _accepts(item, text):
             raise wrong
         return text
 
-    if isinstance(default, tuple):
+    if item.kind == Kind.NUMBERS:
         parts = value.split(",") if isinstance(value, str) else value
-        if not isinstance(parts, (list, tuple)) or len(parts) != len(default):
+        if not isinstance(parts, (list, tuple)) or len(parts) != item.count:
             raise wrong
         return tuple(_number(part, item, wrong, float) for part in parts)
 
-    return _number(value, item, wrong, type(default))
+    return _number(value, item, wrong, int if item.kind == Kind.WHOLE else float)
+
+
+def _accepts(item: Setting, text: str) -> bool:
+    """Return whether a text is one of a setting's choices, or else may name its file."""
+    return text in item.choices if item.choices else _names_a_file(text)
 
 
 def _names_a_file(text: str) -> bool:
@@ -370,34 +404,33 @@ def _number(
 
 def expected(item: Setting) -> Message:
     """Say in words what values a setting takes."""
-    default = item.default
-    if isinstance(default, bool):
-        return Message("true or false")
-    if item.choices:
-        return Message("one of {choices}", choices=", ".join(item.choices))
-    if isinstance(default, str):
-        return Message("a file name")
     limits = {"low": item.low, "high": item.high}
-    if isinstance(default, tuple):
-        return Message(
-            "{count} numbers from {low} to {high}, separated by commas",
-            count=len(default),
-            **limits,
-        )
-    if isinstance(default, int):
-        return Message("a whole number from {low} to {high}", **limits)
-    return Message("a number from {low} to {high}", **limits)
+    match item.kind:
+        case Kind.SWITCH:
+            return Message("true or false")
+        case Kind.CHOICE:
+            return Message("one of {choices}", choices=", ".join(item.choices))
+        case Kind.FILE:
+            return Message("a file name")
+        case Kind.NUMBERS:
+            return Message(
+                "{count} numbers from {low} to {high}, separated by commas",
+                count=item.count,
+                **limits,
+            )
+        case Kind.WHOLE:
+            return Message("a whole number from {low} to {high}", **limits)
+        case Kind.NUMBER:
+            return Message("a number from {low} to {high}", **limits)
+
+
+UNITS = {Kind.SWITCH: "on or off", Kind.CHOICE: "name", Kind.FILE: "file"}
+"""What kind of value a setting takes, where it has no unit."""
 
 
 def unit(item: Setting) -> str:
     """Return the unit of a setting's values, or what kind of value it takes."""
-    if item.unit:
-        return item.unit
-    if isinstance(item.default, bool):
-        return "on or off"
-    if isinstance(item.default, str):
-        return "name" if item.choices else "file"
-    return ""
+    return item.unit or UNITS.get(item.kind, "")
 
 
 def row(settings: object, key: str) -> dict[str, object]:

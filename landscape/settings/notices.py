@@ -18,7 +18,7 @@ from functools import cache
 from typing import ClassVar, Protocol
 
 from framelens.base.errors import Message, listed
-from landscape.settings.declare import Value, current_names, fields, get
+from landscape.settings.declare import Kind, Value, current_names, fields, get
 
 WALK = "walk"  # the word for a walk: settings of the walker do nothing in a still
 
@@ -124,7 +124,7 @@ def in_words(kind: type, condition: str) -> str:
         state = {"=": "", "!=": "not ", ">": "above "}.get(term.sign, "") + term.value
         if not term.is_setting:
             state = "not shown" if term.negated else "shown"
-        elif not term.sign and isinstance(fields(kind)[term.name].default, bool):
+        elif not term.sign and fields(kind)[term.name].kind == Kind.SWITCH:
             state = "off" if term.negated else "on"
         elif not term.sign:
             state = "0" if term.negated else "not 0"

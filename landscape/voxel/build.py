@@ -18,6 +18,7 @@ from landscape.elements.settings import Sun
 from landscape.files.assets import Assets
 from landscape.files.cache import content, recall
 from landscape.files.images import read_heights
+from landscape.settings.declare import get
 from landscape.voxel.blocks import TILES
 from landscape.voxel.distant import distant_meshes
 from landscape.voxel.faces import DIRECTIONS, shown_in
@@ -314,7 +315,7 @@ def built(settings: Settings, assets: Assets, seed: int) -> tuple[World, Look, M
     parts = (
         "voxel world",
         content(assets.path(values.height_image, "voxel.height_image")),
-        repr(([getattr(values, name) for name in BUILT], seed)),
+        repr(([get(settings, f"voxel.{name}") for name in BUILT], seed)),
         colours.light.tobytes(),
         colours.slope.tobytes(),
     )

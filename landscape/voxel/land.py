@@ -21,6 +21,7 @@ from framelens.gl.texture import Texture, mip_levels
 from landscape.elements.element import Element, Site
 from landscape.files.assets import Assets
 from landscape.gl.display_list import DisplayList
+from landscape.settings.declare import get
 from landscape.voxel.blocks import TILES
 from landscape.voxel.build import (
     BUILT,
@@ -122,7 +123,7 @@ class Land(Element[Settings]):
     def built_from(cls, settings: Settings) -> Hashable:
         """Return what the world, its meshes and its textures are made of, but for their light."""
         names = (*BUILT, "mipmaps", "crisp", "buffers", "vertex_arrays")
-        return *(getattr(settings.voxel, name) for name in names), settings.shadow.enabled
+        return *(get(settings, f"voxel.{name}") for name in names), settings.shadow.enabled
 
     @classmethod
     def build(cls, site: Site[Settings]) -> Self:

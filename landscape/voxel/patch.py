@@ -173,9 +173,12 @@ def patched(
     parts = [Part(mesh.vertices.reshape(-1, 4)[~out], key[~out])]
     parts += [part_of(faces, 0, origin, look) for faces in found if len(faces)]
     if plants:
-        inner = tuple(slice(*ends) for ends in zip(low, high, strict=True))
-        blocks = world.blocks[inner]
-        crossed = plant_quads(blocks, plant_places(blocks), (low[0], low[1], low[2]), look)
-        parts.append(part_of_plants(crossed, 0, look))
-
+        parts.append(_plants_again(world, low, high, look))
     return assembled(parts, 1)[0]
+
+
+def _plants_again(world: World, low: Sequence[int], high: Sequence[int], look: Look) -> Part:
+    """Return the plants from ``low`` to ``high`` [x, z, y]."""
+    blocks = world.blocks[tuple(slice(*ends) for ends in zip(low, high, strict=True))]
+    crossed = plant_quads(blocks, plant_places(blocks), (low[0], low[1], low[2]), look)
+    return part_of_plants(crossed, 0, look)

@@ -45,6 +45,14 @@ def level_site(
     return int(i) * STEP, int(k) * STEP
 
 
+def _sums(values: np.ndarray, width: int) -> np.ndarray:
+    """Return the sums (n, m) of the squares of ``width``, odd, around each of the values (n, m)."""
+    padded = np.pad(values, width // 2)
+    total = np.pad(padded.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    count = total[width:, width:] - total[:-width, width:]
+    return np.asarray(count - total[width:, :-width] + total[:-width, :-width])
+
+
 def bay_site(tops: np.ndarray, sea: int, reach: int, around: int) -> tuple[int, int] | None:
     """Return the column x, z in the sea with the most land around it; None without such a place.
 
@@ -52,12 +60,7 @@ def bay_site(tops: np.ndarray, sea: int, reach: int, around: int) -> tuple[int, 
     """
     land = _coarse(tops >= sea).astype(np.float64)
     _, any_land = window_ends(land, max(1, reach // STEP))
-    width = 2 * max(1, around // STEP) + 1
-    padded = np.pad(land, width // 2)
-    total = np.pad(padded.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    count = total[width:, width:] - total[:-width, width:]
-    count = count - total[width:, :-width] + total[:-width, :-width]
-    count = np.where(any_land == 0, count, -1.0)
+    count = np.where(any_land == 0, _sums(land, 2 * max(1, around // STEP) + 1), -1.0)
     border = max(1, reach // STEP)
     count[:border], count[-border:], count[:, :border], count[:, -border:] = -1, -1, -1, -1
     if count.max() <= 0:

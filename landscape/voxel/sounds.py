@@ -74,6 +74,17 @@ def _swell(x: np.ndarray, z: np.ndarray, kt: float) -> np.ndarray:
     return 2.0 * np.pi * kt / PERIOD + 1.9 * np.sin(0.9 * x + 0.4 * z) + 1.5 * np.sin(1.6 * z)
 
 
+def _under(column: np.ndarray, top: int, sea: int) -> str:
+    """Return what is underfoot in a column of blocks (levels,), at most at level ``top``."""
+    solid = np.flatnonzero(column[: top + 1])
+    while len(solid) and BLOCKS[column[solid[-1]]].plant:
+        solid = solid[:-1]
+    if not len(solid) or solid[-1] < sea - 1:
+        return WATER
+    tile = BLOCKS[column[solid[-1]]].top
+    return SOFT.get(tile) or LOOSE.get(tile) or STONE
+
+
 def _ground(
     settings: Settings, heights: Heights, blocks: np.ndarray | None, x: float, y: float, z: float
 ) -> str:
@@ -83,18 +94,7 @@ def _ground(
     i, k = (int(min(max(each / block, 0), last)) for each in (x, z))
 
     if blocks is not None:
-        top = int(min(max((y - FEET) / block, 0), blocks.shape[2] - 1))
-        solid = np.flatnonzero(blocks[i, k, : top + 1])
-        while len(solid) and BLOCKS[blocks[i, k, solid[-1]]].plant:
-            solid = solid[:-1]
-        if not len(solid):
-            return WATER
-        stands = int(solid[-1])
-        if stands < sea - 1:
-            return WATER
-        tile = BLOCKS[blocks[i, k, stands]].top
-        return SOFT.get(tile) or LOOSE.get(tile) or STONE
-
+        return _under(blocks[i, k], int(max((y - FEET) / block, 0)), sea)
     above = (heights.field[i, k] - sea) / heights.tall
     if above <= 0.0:
         return WATER

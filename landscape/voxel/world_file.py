@@ -60,18 +60,7 @@ def decoded(data: bytes, name: str, world: World, land: Mapping[str, object]) ->
             "{name}: truncated or damaged: its digest is another; {what}", name=name, what=WHAT
         )
     numbers = _kinds(head.get("kinds"), name)
-    size = count * (PLACE.itemsize + KIND.itemsize)
-    try:
-        unpacked = zlib.decompressobj().decompress(body, size + 1)
-    except zlib.error:
-        raise InputError("{name}: cannot be decompressed; {what}", name=name, what=WHAT) from None
-
-    if len(unpacked) != size:
-        raise InputError(
-            "{name}: expected {count} changed blocks, as its first line says",
-            name=name,
-            count=count,
-        )
+    unpacked = _unpacked(body, count, name)
     places = np.frombuffer(unpacked, PLACE, count).astype(np.intp)
     kinds = np.frombuffer(unpacked, KIND, count, count * PLACE.itemsize)
     if count and int(places.max()) >= world.blocks.size:
@@ -105,6 +94,23 @@ def _at(places: np.ndarray, changes: Changes) -> np.ndarray:
     kinds = np.full(len(places), UNCHANGED)
     kinds[np.searchsorted(places, changes.places)] = changes.kinds
     return kinds
+
+
+def _unpacked(body: bytes, count: int, name: str) -> bytes:
+    """Return the places and kinds of ``count`` blocks."""
+    size = count * (PLACE.itemsize + KIND.itemsize)
+    try:
+        unpacked = zlib.decompressobj().decompress(body, size + 1)
+    except zlib.error:
+        raise InputError("{name}: cannot be decompressed; {what}", name=name, what=WHAT) from None
+
+    if len(unpacked) != size:
+        raise InputError(
+            "{name}: expected {count} changed blocks, as its first line says",
+            name=name,
+            count=count,
+        )
+    return unpacked
 
 
 def _head(data: bytes, name: str) -> tuple[dict[str, object], bytes]:

@@ -14,6 +14,7 @@ import tomllib
 from collections.abc import Collection
 from pathlib import Path
 
+from framelens.base.arguments import are_texts
 from framelens.base.errors import InputError, Message
 from framelens.base.input import read_bounded
 from framelens.base.output import write_whole
@@ -114,7 +115,7 @@ def _names(path: Path) -> list[str]:
         return []
     text = read_bounded(path, MOST_BYTES).decode("utf-8-sig")
     names = tomllib.loads(text).get("found", [])
-    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+    if not are_texts(names):
         raise ValueError("found: expected a list of names")
     return names
 

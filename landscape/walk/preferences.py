@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 
+from framelens.base.arguments import is_number
 from framelens.base.errors import InputError, Message, short
 from framelens.base.input import read_bounded
 from framelens.base.output import write_whole
@@ -157,19 +158,15 @@ def _checked(name: str, value: object) -> object:
     )
 
     default = next(each.default for each in fields(Preferences) if each.name == name)
-    if isinstance(default, bool) or isinstance(value, bool):
-        if not isinstance(value, bool) or not isinstance(default, bool):
+    if name in LIMITS:
+        low, high = LIMITS[name]
+        if not is_number(value) or not (low <= value <= high or value == default):
             raise expected
-        return value
-    if isinstance(default, str):
-        if value not in LANGUAGES:
-            raise expected
-        return value
-
-    low, high = LIMITS[name]
-    if not isinstance(value, int | float) or not (low <= value <= high or value == default):
+        return float(value)
+    known = LANGUAGES if name == "language" else (True, False)
+    if type(value) is not type(default) or value not in known:
         raise expected
-    return float(value)
+    return value
 
 
 def _keymap(table: object, path: Path) -> tuple[Keymap, list[Said]]:

@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
-from framelens.base.arguments import MAX_PIXELS, MAX_SIDE
+from framelens.base.arguments import MAX_PIXELS, MAX_SIDE, is_number
 from framelens.base.errors import InputError
 from framelens.base.input import read_bounded
 from framelens.base.output import Output
@@ -199,7 +199,7 @@ def read(path: Path) -> tuple[Plan, list[Tick]]:
 
 def _is_count(value: object, wanted: int) -> bool:
     """Whether a value is a number; true is not 1."""
-    return not isinstance(value, bool) and bool(value == wanted)
+    return is_number(value) and value == wanted
 
 
 def _object(path: Path, number: int, line: bytes) -> dict[str, object]:
@@ -221,7 +221,7 @@ def _reason(error: Exception) -> str:
 
 
 def _number(value: object, name: str, low: float, high: float) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+    if not is_number(value) or not low <= value <= high:
         raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, not {value!r}")
     return float(value)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from framelens.base.texts import said, translator
 from framelens.inspector.inspector_values import step_of
 from landscape.settings import declare
-from landscape.settings.declare import Setting, Value
+from landscape.settings.declare import Kind, Setting, Value
 from landscape.settings.notices import WALK, Slot, ignored
 from landscape.walk import words
 
@@ -64,9 +64,9 @@ def rows(kind: type) -> tuple[Row, ...]:
     """Return the rows of a settings class, in the order of its declaration."""
     found = []
     for key, item in declare.fields(kind).items():
-        if isinstance(item.default, tuple):
-            found += [Row(key, item, part) for part in range(len(item.default))]
-        elif not isinstance(item.default, str) or item.choices:
+        if item.kind == Kind.NUMBERS:
+            found += [Row(key, item, part) for part in range(item.count)]
+        elif item.kind != Kind.FILE:
             found.append(Row(key, item))
     return tuple(found)
 
@@ -243,11 +243,11 @@ def described(row: Row, language: str) -> str:
 def _limits(row: Row, language: str) -> str:
     """Return what values a row takes, in few words."""
     item = row.item
-    if isinstance(item.default, bool):
+    if item.kind == Kind.SWITCH:
         return f"{written(True, language)}, {written(False, language)}"
     if item.choices:
         return ", ".join(item.choices)
-    kind = int if isinstance(item.default, int) else float
+    kind = int if item.kind == Kind.WHOLE else float
     low, high = (written(kind(limit), language) for limit in item.limits)
     unit = translator(language, "settings")(item.unit)
     return words.text(language, "list.from_to", low=low, high=high, unit=unit).strip()

@@ -108,6 +108,12 @@ def _wrapped(paragraphs: str, face: ImageFont.FreeTypeFont, width: int) -> list[
     ]
 
 
+def _mark(draw: ImageDraw.ImageDraw, y: int, line: int, width: int, edge: int) -> None:
+    """Draw the plate behind the chosen row, which begins at ``y``."""
+    right = max(width - edge // 2, edge // 2)
+    draw.rectangle((edge // 2, y, right, y + line - 1), CHOSEN)
+
+
 def _draw_rows(
     draw: ImageDraw.ImageDraw,
     rows: Sequence[Row],
@@ -133,8 +139,7 @@ def _draw_rows(
     for number in shown:
         places[number] = (y, y + line)
         if number == chosen:
-            right = max(width - edge // 2, edge // 2)
-            draw.rectangle((edge // 2, y, right, y + line - 1), CHOSEN)
+            _mark(draw, y, line, width, edge)
         _draw_row(draw, rows[number], (edge, width - edge), y + line / 2, face)
         y += line
     if hidden := len(rows) - shown.stop:

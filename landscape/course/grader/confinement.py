@@ -10,7 +10,7 @@ import contextlib
 import os
 import re
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -91,11 +91,21 @@ def _readable(cwd: str, beside: frozenset[str], *private: str) -> tuple[list[str
     needed.update(each for each in entries if any(_inside(each, part) for part in needed))
     hidden = set(map(_real, named)) - needed | set(map(_real, ours))
 
-    readable: set[str] = set()
-    listed: set[str] = set()
     # Of many a library several parts are loaded, each of which names it.
     roots = {*containment.SYSTEM, *python, *_paths(python, hidden), *_libraries()}
-    for root in set(map(_real, roots)):
+    return _open_to(set(map(_real, roots)), hidden, entries)
+
+
+def _open_to(
+    roots: Iterable[str], hidden: set[str], entries: Sequence[str]
+) -> tuple[list[str], list[str]]:
+    """Return what of ``roots`` is to be read, and of what only the names, around the ``hidden``.
+
+    ``entries`` are the folders in which modules are looked for.
+    """
+    readable: set[str] = set()
+    listed: set[str] = set()
+    for root in roots:
         for path, whole in _parts(root, hidden):
             if whole:
                 readable.add(path)

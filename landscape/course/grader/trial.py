@@ -49,14 +49,19 @@ def _presses(key: str, count: int, frame: int) -> list[dict[str, object]]:
     ]
 
 
-def trial(code: str, chance: random.Random) -> Trial:
-    """Return a trial of an exercise from its solution's code, which names the keys."""
-    keys = sorted(set(KEY.findall(code)) - set(ENDS))
+def _steps(keys: list[str], chance: random.Random) -> list[Step]:
+    """Return in which order keys are pressed, and the window gets another size."""
     chance.shuffle(keys)
     steps: list[Step] = [(key, count) for key in keys for count in (FEW, SOME, SOME, SOME)]
     steps.insert(chance.randint(0, len(steps) // 2), HIGH)
     steps.append(WIDE)
+    return steps
 
+
+def trial(code: str, chance: random.Random) -> Trial:
+    """Return a trial of an exercise from its solution's code, which names the keys."""
+    keys = sorted(set(KEY.findall(code)) - set(ENDS))
+    steps = _steps(keys, chance)
     frame = chance.randint(1, 3)
     events: list[dict[str, object]] = []
     pressed = dict.fromkeys(keys, 0)

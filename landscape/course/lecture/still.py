@@ -8,6 +8,7 @@ from framelens.base.errors import InputError
 from framelens.base.isolated import Ended, isolated
 from framelens.base.texts import speaking
 from framelens.gl.glfw_library import glfw
+from framelens.gl.named import glfw_constant
 from framelens.program.program_events import presses
 from landscape.course.grader.picture import pictures
 from landscape.course.ladder import lesson
@@ -59,7 +60,7 @@ def _walked(step: Step, size: tuple[int, int], language: str) -> np.ndarray:
     """Return a view after keys were pressed: a walk knows them."""
     with Walk(planned(step.name, size, language), Assets(), "headless") as walk:
         for key in step.keys:
-            code = getattr(glfw, f"KEY_{key}")
+            code = glfw_constant(glfw, f"KEY_{key}")
             walk.hands.key(code, glfw.PRESS)
             walk.hands.key(code, glfw.RELEASE)
         for _second in range(SETTLED):

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from framelens.gl.apart import apart
+from framelens.gl.named import glfw_constant
 from framelens.gl.seam import gl, recording, unnoted
 from framelens.state import state
 from framelens.tape.tape import Tape
@@ -84,7 +85,7 @@ def play(stage: Stage, name: str, keys: Sequence[str], language: str) -> None:
     with LectureWalk(stage, planned(name, stage.pixels(), language)) as walk:
         stage.player = walk
         for key in keys:
-            code = getattr(stage.glfw, f"KEY_{key}")
+            code = glfw_constant(stage.glfw, f"KEY_{key}")
             walk.key(code, stage.glfw.PRESS, 0)
             walk.key(code, stage.glfw.RELEASE, 0)
         while not stage.leaving:
