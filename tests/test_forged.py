@@ -201,7 +201,7 @@ def test_a_right_program_is_not_refused(
     def noted(path: Path, *given: Any) -> Any:
         found = evidence(path, *given)
         if path.name in ("mine.py", recorded.PLAYER.name):
-            seen.append(found)
+            seen.append(found[0])
         return found
 
     evidence = exercises._evidence

@@ -157,11 +157,12 @@ def _told(value: T, name: str, done: Callable[[str], None]) -> T:
 
 def measure_views(options: Options, done: Callable[[str], None]) -> dict[str, object]:
     """Return ``layer_ms`` and ``views``; views with the same settings share one open scene."""
+    groups = _groups(options)
     layer = Layer(options.size)
     times: dict[str, list[float]] = {}
     calls: dict[str, int] = {}
     try:
-        for (kind_name, values), names in _groups(options).items():
+        for (kind_name, values), names in groups.items():
             times |= _measure_group(options, scene(kind_name), values, names, layer, calls, done)
     finally:
         layer.release()
