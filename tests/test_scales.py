@@ -2,7 +2,13 @@
 
 import numpy as np
 
-from landscape.elements.best.animals.scales import brightest, nearest_points, scaled_skin, scales
+from landscape.elements.best.animals.scales import (
+    brightest,
+    muted,
+    nearest_points,
+    scaled_skin,
+    scales,
+)
 from landscape.geometry.mesh import Mesh
 
 
@@ -43,3 +49,19 @@ def test_only_skin_that_is_bluer_than_red_has_scales() -> None:
     assert row == column == 255, "there the tile changes no colour"
     plain = Mesh(places, places, triangles, (places[:, :2].copy(),))
     assert scaled_skin(plain, spot) is plain
+
+
+def test_skin_is_duller_and_darker_than_its_paint_and_keeps_its_hue() -> None:
+    places = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0)], np.float32)
+    triangles = np.array([(0, 1, 2)], np.uint32)
+    paint = np.array([[20, 90, 100, 255], [225, 120, 60, 255], [90, 90, 90, 255]], np.uint8)
+    mesh = Mesh(places, places, triangles, (places[:, :2].copy(),), paint)
+    found = muted(mesh).colors
+    assert found is not None and (found[:, 3] == 255).all()
+    before, after = paint[:, :3].astype(float), found[:, :3].astype(float)
+    assert (after.mean(axis=1) < 0.95 * before.mean(axis=1)).all()
+    assert (np.ptp(after[:2], axis=1) < 0.6 * np.ptp(before[:2], axis=1)).all()
+    assert (after[:2].argmax(axis=1) == before[:2].argmax(axis=1)).all()
+    assert mesh.colors is not None and (mesh.colors == paint).all(), "the mesh given is unchanged"
+    plain = Mesh(places, places, triangles, (places[:, :2].copy(),))
+    assert muted(plain) is plain

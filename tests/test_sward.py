@@ -25,6 +25,7 @@ from landscape.elements.best.meadow.sward import (
     WIDEST,
     card_corners,
     card_scale,
+    cells_of,
     covered,
     kinds_at,
     mean_colours,
@@ -113,10 +114,18 @@ def test_the_picture_of_another_size_is_resized(shipped: Assets, tmp_path: Path)
     image.save(tmp_path / "sward.png")
     levels = sward_levels(tmp_path / "sward.png")
     assert levels[0].shape == (512, 1024, 4)
-    assert np.abs(mean_colours(levels[0])[0] - (0.3, 0.36, 0.14)).max() < 0.15
+    whole = mean_colours(read_image(shipped.path("sward.png")))
+    assert np.abs(mean_colours(levels[0])[0] - whole[0]).max() < 0.05
 
 
 # ---- what grows where
+
+
+def test_the_blades_of_a_sheaf_are_fine_and_have_gaps_between_them(shipped: Assets) -> None:
+    for cell in cells_of(read_image(shipped.path("sward.png")))[:3]:
+        solid = cell[100:200, :, 3] > 127
+        runs = (np.diff(solid.astype(int), axis=1, prepend=0) > 0).sum(axis=1)
+        assert runs.max() >= 10 and solid.sum() / runs.sum() < 4.5, "texels of a blade, or several"
 
 
 def test_without_flowers_none_grow_and_with_them_they_stand_in_drifts() -> None:

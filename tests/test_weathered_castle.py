@@ -9,7 +9,7 @@ from castles import FLAT, GATE, PLACED, at, drawn
 from stage import Stage, kind_in, pixel, project, small
 
 from framelens.gl.seam import gl, recording
-from framelens.gl.texture import mip_levels
+from framelens.gl.texture import Texture, mip_levels
 from landscape.elements.best.castle import ornate_castle, weathering
 from landscape.elements.best.castle.blocks import Blocks, add_frames, add_quoins, add_steps
 from landscape.elements.best.castle.doorway import THICK, hall, passage, threshold
@@ -20,7 +20,7 @@ from landscape.elements.best.castle.loopholes import openings
 from landscape.elements.best.castle.ornate_masonry import GATE as FREE
 from landscape.elements.best.castle.ornate_masonry import KEEP, PLINTH, ornate_masonry
 from landscape.elements.best.castle.slates import slate_roofs
-from landscape.elements.best.castle.torch_glow import disc, flicker, lit_patch
+from landscape.elements.best.castle.torch_glow import FINEST, disc, flicker, lit_patch, softer
 from landscape.elements.best.castle.weathered_castle import (
     WeatheredCastle,
     opening_colours,
@@ -28,6 +28,7 @@ from landscape.elements.best.castle.weathered_castle import (
 from landscape.elements.castle_fire import FLAME_Z, TORCHES
 from landscape.elements.settings import Sun
 from landscape.files.assets import Assets
+from landscape.files.images import read_image
 from landscape.frame import Pose
 from landscape.geometry.height_field import HeightField
 from landscape.geometry.masonry import CORNERS, TOWER_RADIUS, TOWER_TOP
@@ -308,6 +309,31 @@ def test_the_glow_brightens_what_is_round_a_flame(stage: Stage, plain: Assets) -
     dull, bright = (drawn(stage, plain, castle__glow=glow, **keys) for glow in (0.01, 0.8))
     beside = project(GATE, at(TORCHES[0] + 0.08, 0.30, FLAME_Z))
     assert pixel(bright, beside)[0] > pixel(dull, beside)[0] + 8
+
+
+def test_a_flame_is_blurred_up_close_and_its_texture_is_then_as_before(stage: Stage) -> None:
+    fine = np.zeros((64, 64, 4), np.uint8)
+    fine[::2] = 255  # rows, which the third mip level has averaged away
+    sheet = Texture(fine)
+    gl.glBindTexture(gl.GL_TEXTURE_2D, sheet.name)
+
+    def finest() -> float:
+        return float(gl.glGetTexParameterfv(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_LOD))
+
+    assert finest() == FINEST
+    with softer(2.0):
+        assert finest() == 2.0
+    assert finest() == FINEST
+    gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+    sheet.release()
+
+
+def test_the_weeds_at_the_walls_have_shaded_roots(shipped: Assets) -> None:
+    picture = read_image(shipped.path("castle_leaves.png")).astype(float)
+    for tuft in (picture[128:, :128], picture[128:, 128:]):
+        light, solid = tuft[..., :3].mean(axis=2), tuft[..., 3] > 127
+        roots, middle = (light[rows][solid[rows]].mean() for rows in (np.s_[112:126], np.s_[50:70]))
+        assert roots < 0.8 * middle
 
 
 def test_the_grain_is_mid_grey_on_average_at_every_mip_level_and_repeats() -> None:

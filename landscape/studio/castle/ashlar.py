@@ -204,7 +204,7 @@ def leaf(angle: float, length: float, lobes: int, at: np.ndarray) -> np.ndarray:
     if lobes:
         reach = length * (0.42 + 0.15 * np.cos(lobes * turn) + 0.10 * np.cos(turn))
         return np.asarray(reach - np.hypot(u - 0.35 * length, v))
-    half = 0.028 * np.sqrt(np.clip((u / length) * (1.0 - u / length) * 4.0, 0.0, 1.0))
+    half = 0.016 * np.sqrt(np.clip(1.0 - u / length, 0.0, 1.0))
     return np.asarray(np.where((u > 0) & (u < length), half - np.abs(v), -1.0))
 
 
@@ -216,7 +216,7 @@ def leaves(seed: int, ivy: bool) -> np.ndarray:
     axis = (np.arange(size) + 0.5) / size
     x, y = np.meshgrid(axis, axis[::-1])
     picture = np.zeros((size, size, 4))
-    count = 85 if ivy else 60
+    count = 85 if ivy else 74
     for k in range(count):
         depth = k / count  # the last ones lie in front
         if ivy:
@@ -226,17 +226,17 @@ def leaves(seed: int, ivy: bool) -> np.ndarray:
             length = rng.uniform(0.10, 0.17)
             lobes = 5
         else:
-            px, py = 0.5 + rng.normal(0, 0.06), rng.uniform(0.01, 0.05)
-            angle = rng.normal(1.57, 0.38)
-            length = rng.uniform(0.30, 0.90)
+            px, py = 0.5 + rng.normal(0, 0.09), rng.uniform(0.01, 0.05)
+            angle = rng.normal(1.57, 0.28)
+            length = 0.22 + 0.70 * rng.random() ** 1.5
             lobes = 0
-            bend = rng.normal(0.0, 0.28)
+            bend = rng.normal(0.0, 0.30)
         dx, dy = x - px, y - py
         if not ivy:
             dx = dx - bend * (dy**2)
         inside = leaf(angle, length, lobes, np.stack([dx, dy], axis=-1))
         cover = smoothstep(-0.7 / size, 0.7 / size, inside)
-        green = np.array([0.060, 0.115, 0.030]) if ivy else np.array([0.105, 0.150, 0.042])
+        green = np.array([0.060, 0.115, 0.030]) if ivy else np.array([0.105, 0.130, 0.045])
         green = green * (0.45 + 0.85 * depth) * rng.normal(1.0, 0.16)
         green = green * (1.0 + np.array([0.5, 0.1, -0.2]) * max(0.0, rng.normal(0.0, 0.5)))
         along = np.clip(inside / (0.25 * length if ivy else 0.02), 0.0, 1.0)
@@ -250,6 +250,8 @@ def leaves(seed: int, ivy: bool) -> np.ndarray:
             under = 0.30 * under * (1.0 - cover)
             picture[..., :3] *= 1.0 - under[..., None]
 
+    if not ivy:
+        picture[..., :3] *= (0.35 + 0.65 * smoothstep(0.0, 0.45, y))[..., None]  # roots are shaded
     return cut_out(shrink(np.dstack([picture[..., :3] * picture[..., 3:], picture[..., 3]]), scale))
 
 

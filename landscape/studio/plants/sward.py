@@ -122,19 +122,24 @@ def blade(
 def sheaf(
     seed: int, count: int, width: float, tall: tuple[float, float], dry: float, bend: float
 ) -> np.ndarray:
-    """Return a cell of ``count`` blades of about this ``width`` that lean apart."""
+    """Return a cell of ``count`` blades of about this ``width`` that hardly share a direction.
+
+    Low ones are many and a few stand out; what is dead is mostly low, and the foot has no one root.
+    """
     rng, canvas = np.random.default_rng(seed), Cell.blank()
+    low, high = tall
     for k in rng.permutation(count):
         x = (k + 0.5) / count * 2 - 1
+        straw = rng.uniform(0.5, 1.0) if rng.random() < dry else rng.uniform(0.0, 0.2)
+        length = low + (high - low) * rng.random() ** (1.3 + straw)
         path = curve(
-            0.13 * x,
-            rng.uniform(*tall) * (1.0 - 0.25 * abs(x)),
-            0.30 * x + rng.normal(0, 0.08),
-            rng.uniform(0.1, 1.0) * bend * rng.choice([-1, 1, np.sign(x)]),
+            (NECK - 0.02) * np.clip(x + rng.normal(0, 0.25), -1, 1),
+            length * (1.0 - 0.2 * abs(x)),
+            0.22 * x + rng.normal(0, 0.17),
+            rng.uniform(0.15, 1.0) ** 1.5 * bend * rng.choice([-1, 1, np.sign(x)]),
         )
         path[:, 2] = rng.uniform(-0.3, 0.3)
-        straw = rng.uniform(0.6, 1.0) if rng.random() < dry else rng.uniform(0.0, 0.15)
-        blade(canvas, rng, path, width * rng.uniform(0.6, 1.3), straw)
+        blade(canvas, rng, path, width * rng.uniform(0.55, 1.35), straw)
     return canvas.finish()
 
 
@@ -286,10 +291,10 @@ def cells() -> list[np.ndarray]:
     fern = (0.20, 0.30, 12)
     broad = (0.17, 0.55, 7)
     return [
-        sheaf(401, 23, 0.052, (1.1, 2.3), 0.06, 0.7),
-        sheaf(402, 19, 0.048, (0.9, 2.3), 0.25, 1.2),
-        sheaf(403, 27, 0.038, (0.8, 2.2), 0.12, 0.9),
-        sheaf(404, 11, 0.100, (0.9, 2.1), 0.0, 1.1),
+        sheaf(401, 40, 0.034, (0.6, 2.4), 0.10, 1.3),
+        sheaf(402, 34, 0.032, (0.5, 2.4), 0.26, 1.9),
+        sheaf(403, 46, 0.026, (0.5, 2.3), 0.14, 1.5),
+        sheaf(404, 18, 0.060, (0.7, 2.2), 0.08, 1.7),
         litter(),
         panicles(),
         spikes(),

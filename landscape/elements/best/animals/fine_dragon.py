@@ -17,7 +17,7 @@ from framelens.gl.state import glint_after_texture
 from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.axis_mapping import by_axis
 from landscape.elements.best.animals.fine_animal import FineAnimal, read_painted
-from landscape.elements.best.animals.scales import brightest, scaled_skin, scales
+from landscape.elements.best.animals.scales import brightest, muted, scaled_skin, scales
 from landscape.elements.best.animals.wet_sheen import WetSheen
 from landscape.elements.dragon import dragon_obstacles, planar, swimming
 from landscape.elements.settings import Settings
@@ -51,6 +51,8 @@ class FineDragon(FineAnimal):
         """Read the mesh and its colours, make its levels and lower it to its water line."""
         dragon = settings.dragon
         mesh = read_painted(assets, dragon.mesh, "dragon.mesh", dragon.painted)
+        if dragon.scaly:
+            mesh = muted(mesh)
         mesh = wet_sheen.wet_band(mesh, dragon.sink, dragon.wet)
 
         def lay(mesh: Mesh) -> Mesh:
@@ -60,7 +62,11 @@ class FineDragon(FineAnimal):
                 laid = replace(mesh, coordinates=(planar(mesh.vertices),))
             return scaled_skin(laid, brightest(remembered())) if dragon.scaly else laid
 
-        source = content(assets.path(dragon.mesh)), repr(replace(dragon, gloss=0.0, sheen=0.0))
+        source = (
+            content(assets.path(dragon.mesh)),
+            repr(replace(dragon, gloss=0.0, sheen=0.0)),
+            "muted",
+        )
         place = swimming(dragon, settings.water.level)
         self._sheen = WetSheen.made(settings, assets)
         super().__init__(settings, assets, mesh, lay, source, place, dragon.yaw, dragon.scale)

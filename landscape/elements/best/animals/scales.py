@@ -4,7 +4,8 @@ Technique: cellular texture. Points are scattered, one in each square of a latti
 into a ring; each texel belongs to its nearest point. How much nearer that point is than the next
 one tells how far the texel lies from the furrow. The tile is grey, and multiplies the colours of
 the vertices. Scales have no direction: where two charts of axis_mapping.py meet, nothing shows.
-Horns, teeth, eyes, fins and the plates of the belly have none (:func:`scaled_skin`).
+Horns, teeth, eyes, fins and the plates of the belly have none (:func:`scaled_skin`). All of it is
+duller than its paint (:func:`muted`).
 Source: Worley, A cellular texture basis function, SIGGRAPH 1996. No OpenGL.
 """
 
@@ -23,6 +24,7 @@ DOMED = 0.42  # chosen: brightness that a scale loses from its middle, by the sq
 UNLIKE = 0.16  # chosen: how much scales differ in brightness
 PATCHES, PATCH = 0.10, 3  # chosen: how much larger parts of the skin do, and cycles of these a side
 GRAINS, GRAIN = 5, 0.10  # chosen: grains along a scale, and how much they differ in brightness
+VIVID, DIMMED = 0.52, 0.86  # chosen: how much colour and how much light skin has of its paint
 SEED = 2006
 
 
@@ -102,3 +104,15 @@ def scaled_skin(mesh: Mesh, spot: np.ndarray) -> Mesh:
         coordinates=(np.concatenate([mesh.coordinates[0], plain]),),
         colors=np.concatenate([mesh.colors, mesh.colors[corners]]),
     )
+
+
+def muted(mesh: Mesh) -> Mesh:
+    """Return a mesh whose colours, if it has any, are those of wet skin rather than of paint."""
+    if mesh.colors is None:
+        return mesh
+    colour = mesh.colors[:, :3].astype(np.float32)
+    light = (colour @ np.array([0.30, 0.59, 0.11], np.float32))[:, None]
+    duller = DIMMED * (light + VIVID * (colour - light))
+    colours = mesh.colors.copy()
+    colours[:, :3] = np.clip(duller + 0.5, 0, 255)
+    return replace(mesh, colors=colours)

@@ -1,7 +1,9 @@
 """The torches' fire, fuller, with a halo, and its light on the ground (``castle.glow``).
 
-Technique: two flames of the sheet for each torch, one blended and one added; a soft disc that is
-added over them; and a patch on the ground and on the wall, drawn with
+Technique: two flames of the sheet for each torch, both added, so that fire is white where it is
+thick, and one blended beneath, weakly, so that its rim has a colour before a bright wall; no finer
+mip level than the third (GL_TEXTURE_MIN_LOD, OpenGL 1.2), so that they have no edge up close; a
+soft disc that is added over them; and a patch on the ground and on the wall, drawn with
 glBlendFunc(GL_DST_COLOR, GL_ONE), which brightens what is there in proportion to its colour. All
 flicker with kt. What is added must not be fogged to the fog's colour but fade: the fog's colour is
 black meanwhile.
@@ -9,7 +11,8 @@ Own frame: that of the castle. State used: as castle_fire.py; fog colour.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import numpy as np
 
@@ -19,11 +22,15 @@ from framelens.gl.texture import Texture
 from landscape.elements.castle_fire import FLAME_Z, TORCHES, flame_across, flame_frame
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
+from landscape.gl.features import possible
 
 # All chosen.
 SIDE = 64  # texels of the disc
 FLAMES = ((0.052, 0.206, 0.350, 0, False), (0.040, 0.206, 0.315, 7, True))
 """Half width, height from and to, frames ahead, whether mirrored, of a torch's flames."""
+BODY = 0.35  # opacity of a flame, which is light and hardly hides the wall
+SOFTER = 2.0  # the finest mip level of a flame: up close it has no edge
+FINEST = -1000.0  # the finest mip level of a texture as OpenGL begins with it
 HALO, HALO_Y = 0.19, 0.265  # radius and middle of the disc
 COLOUR = np.array([1.0, 0.52, 0.18])
 BY_DAY = 0.22  # how much of the glow is seen by day
@@ -61,6 +68,20 @@ def lit_patch(ground: Callable[[np.ndarray], np.ndarray], x: float) -> tuple[np.
     return vertices, strength[:, None].astype(np.float32), grid_triangles(SECTORS, RINGS)
 
 
+@contextmanager
+def softer(level: float) -> Iterator[None]:
+    """Let the texture that is bound be looked up in no finer mip level in the block."""
+    if not possible("a number of mip levels"):
+        yield
+        return
+
+    gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_LOD, level)
+    try:
+        yield
+    finally:
+        gl.glTexParameterf(gl.GL_TEXTURE_2D, gl.GL_TEXTURE_MIN_LOD, FINEST)
+
+
 class TorchGlow:
     """Flames and their light."""
 
@@ -85,14 +106,17 @@ class TorchGlow:
             gl.glDisable(gl.GL_LIGHTING)
             gl.glEnable(gl.GL_BLEND)
             gl.glDepthMask(gl.GL_FALSE)
-            gl.glColor3f(1.0, 1.0, 1.0)
             gl.glEnable(gl.GL_TEXTURE_2D)
             sheet.bind()
-            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
-            self._send(self._flames(frame.kt, eye, 0))
-            gl.glFogfv(gl.GL_FOG_COLOR, np.zeros(4, np.float32))
-            gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE)
-            self._send(self._flames(frame.kt, eye, 1))
+            with softer(SOFTER):
+                gl.glColor4f(1.0, 1.0, 1.0, BODY)
+                gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE_MINUS_SRC_ALPHA)
+                self._send(self._flames(frame.kt, eye, 0))
+                gl.glFogfv(gl.GL_FOG_COLOR, np.zeros(4, np.float32))
+                gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+                gl.glBlendFunc(gl.GL_SRC_ALPHA, gl.GL_ONE)
+                self._send(self._flames(frame.kt, eye, 0))
+                self._send(self._flames(frame.kt, eye, 1))
             gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
             self._disc.bind()
             for number, x in enumerate(TORCHES):
