@@ -1,9 +1,11 @@
 """Land in the tones of a photograph: olive grass, grey rock, darker."""
 
 import numpy as np
+from hill import refine
 
 from landscape.elements.best.terrain.tone import STONES_DRAINED, bare_toned, toned, turf_toned
 from landscape.elements.settings import preset
+from landscape.elements.sprite_names import HERB
 
 GRASS, STRAW = np.array([0.46, 0.545, 0.27]), np.array([0.635, 0.645, 0.40])
 ROCK = np.array([0.60, 0.53, 0.40])
@@ -46,3 +48,13 @@ def test_the_ground_is_toned_as_turf_where_there_is_turf() -> None:
 
 def test_best_is_toned_and_2006_is_not() -> None:
     assert preset("best").ground.tone == 1.0 and preset("2006").ground.tone == 0.0
+
+
+def test_deer_and_herbs_are_duller_on_toned_land_and_stand_where_they_did() -> None:
+    for kind, changes in (("deer", {"deer__count": 40}), ("plants", {"plants__species": 5})):
+        plain, toned_ones = (refine({kind}, ground__tone=tone, **changes) for tone in (0.0, 1.0))
+        assert np.array_equal(plain.positions, toned_ones.positions)
+        assert (toned_ones.tints[:, :3].mean(axis=1) < 0.95 * plain.tints[:, :3].mean(axis=1)).all()
+    heather = plain.cells == HERB + 4
+    left = toned_ones.tints[:, :3] / plain.tints[:, :3]
+    assert heather.any() and left[heather].max() < left[plain.cells == HERB].min()

@@ -51,6 +51,17 @@ MOVES = 1.6
 # Chosen: which of the fixed places is the islet's, and x, z of the edge of the water there.
 ISLET, BRINK = 2, (34.17, 20.32)
 SUNK = 0.025  # chosen, times a deer's height: its hooves are down in the grass
+# Chosen: what ground.tone leaves of the red, green and blue of deer, and of each herb.
+COATS = np.array([0.86, 0.90, 0.92])
+HERB_TONES = np.array(
+    [
+        (0.88, 0.84, 0.80),
+        (0.92, 0.90, 0.88),
+        (0.74, 0.82, 0.70),
+        (0.90, 0.86, 0.84),
+        (0.66, 0.74, 0.64),
+    ]
+)
 PLAIN = 0.3  # chosen: variation of the tints of herbs except the fern, as a fraction of leaves'
 
 
@@ -69,7 +80,8 @@ def planted_from(settings: Settings) -> tuple[object, ...]:
     species = settings.trees.species, settings.plants.species, settings.deer.species
     variety = settings.trees.grouped, settings.trees.variety, settings.deer.variety
     colours = settings.ground.large_texture, settings.ground.texture_size
-    return (*counts_and_sizes(settings), *species, *variety, *colours, *site(settings))
+    tone = settings.ground.tone
+    return (*counts_and_sizes(settings), *species, *variety, *colours, tone, *site(settings))
 
 
 def planted_by_file(
@@ -165,6 +177,13 @@ class Habitat:
             # White flowers must not be tinted yellow or blue.
             tints[:, :3] = np.where(cells == HERB, 1.0, PLAIN)[:, None] * (tints[:, :3] - 255.0)
             tints[:, :3] += 255.0
+
+        strength = settings.ground.tone
+        if strength and kind == "deer":
+            tints[:, :3] *= 1.0 + strength * (COATS - 1.0)
+        if strength and kind == "plants":
+            toned = HERB_TONES[np.clip(cells - HERB, 0, len(HERB_TONES) - 1)]
+            tints[:, :3] *= 1.0 + strength * (toned - 1.0)
 
         slopes = slopes_under(field, positions, sizes[:, 0])
         pictures = cells if pictures is None else pictures
