@@ -1,13 +1,11 @@
 """`landscape why`: small programs with one mistake each, and the same programs without it."""
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from broken_programs import BROKEN, RIGHT
+from commands import python
 
 from framelens.base.texts import LANGUAGES
 from framelens.why.findings import CAUSES, IDS, WORDS
@@ -25,16 +23,9 @@ print(json.dumps(found.as_json("en"), default=str))
 
 def why(path: Path, frame: int = 0, pixel: tuple[int, int] | None = None) -> dict:
     """Return what `landscape why --json` prints, by a process of its own."""
-    asked = json.dumps([str(path), frame, pixel])
-    done = subprocess.run(
-        [sys.executable, "-c", CHILD, asked],
-        capture_output=True,
-        text=True,
-        timeout=120,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-    )
-    assert done.returncode == 0, done.stderr[-2000:]
-    return json.loads(done.stdout.splitlines()[-1])
+    done = python(CHILD, json.dumps([str(path), frame, pixel]))
+    assert done.status == 0, done.err[-2000:]
+    return json.loads(done.out.splitlines()[-1])
 
 
 @pytest.mark.sweep(14, first=4)

@@ -6,14 +6,12 @@ program, one that ends in ``#+`` only in the mended one.
 """
 
 import json
-import os
 import re
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from commands import environment, landscape, python
 from watching import screen
 
 from framelens.base.texts import translator
@@ -60,15 +58,9 @@ def test_the_mistake_of_a_student_is_named_and_its_absence_too(path, display, tm
 
     pixels = [None, case["pixel"]] if case["pixel"] else [None]
     asked = json.dumps([case["frame"], pixels, str(broken), str(mended)])
-    done = subprocess.run(
-        [sys.executable, "-c", CHILD, asked],
-        capture_output=True,
-        text=True,
-        timeout=120,
-        env={**os.environ, "PYTHONPATH": str(ROOT), "DISPLAY": display},
-    )
-    assert done.returncode == 0, done.stderr[-2000:]
-    answers = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
+    done = python(CHILD, asked, env=environment(DISPLAY=display))
+    assert done.status == 0, done.err[-2000:]
+    answers = [json.loads(line) for line in done.out.splitlines() if line.startswith("{")]
     assert len(answers) == 2 * len(pixels)
     for answer in answers[: len(pixels)]:
         assert [cause["cause"] for cause in answer["causes"]][:1] == [case["cause"]], answer
@@ -99,14 +91,9 @@ def test_the_answers_on_the_page_are_those_of_the_tool(number, display, tmp_path
 
     words = [str(program), *([f"{x},{y}"] if x else []), "--frame", frame or "0"]
     for language, answers in (("en", "answers, for line"), ("fr", "répond, pour la ligne")):
-        done = subprocess.run(
-            [sys.executable, "-m", "landscape", "why", *words, "--lang", language],
-            capture_output=True,
-            text=True,
-            timeout=120,
-            env={**os.environ, "PYTHONPATH": str(ROOT), "DISPLAY": display},
-        )
-        _, cause, sentence, mend = [line.strip() for line in done.stdout.splitlines() if line][:4]
+        env = environment(DISPLAY=display)
+        done = landscape("why", *words, "--lang", language, env=env)
+        _, cause, sentence, mend = [line.strip() for line in done.out.splitlines() if line][:4]
         line = cause.partition(":")[2].split()[0]
         colon = ":" if language == "en" else " :"
         expected = f"{answers} {line}{colon} {sentence} {mend}"
