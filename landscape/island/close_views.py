@@ -9,7 +9,7 @@ CLOSE_VIEWS = (
         "waves run up the sand before one's feet",
         Pose(14.0, 0.9, 30.0, 165.0, -22.0),
         80.0,
-        settings={"camera.lens": 0.002, "camera.focus": 0.3},
+        settings={"camera.lens": 0.0015, "camera.focus": 0.3},
     ),
     View(
         "close_water",
@@ -20,9 +20,9 @@ CLOSE_VIEWS = (
     View(
         "close_grass",
         "the meadow, seen from the height of a knee",
-        Pose(20.55, 1.06, 24.13, 200.0, -12.0),
+        Pose(21.5, 1.12, 24.5, 120.0, -6.0),
         40.0,
-        settings={"camera.lens": 0.0018, "camera.focus": 0.15},
+        settings={"camera.lens": 0.0015, "camera.focus": 0.13, "camera.lens_points": 96},
     ),
     View(
         "close_oak",
@@ -32,23 +32,24 @@ CLOSE_VIEWS = (
     ),
     View(
         "close_boulder",
-        "boulders among rock, a step away",
-        Pose(29.6, None, 20.8, 330.0, -20.0),
-        20.0,
-        settings={"ground.ledges": 0.7, "camera.lens": 0.004, "camera.focus": 0.25},
+        "a boulder in the meadow, a step away",
+        Pose(23.0, None, 24.0, 0.0, -27.0),
+        40.0,
+        settings={"camera.lens": 0.002, "camera.focus": 0.2},
     ),
     View(
         "close_wall",
-        "the castle's wall beside the gate, a step away",
-        Pose(27.85, None, 17.6, 340.0, 3.0),
+        "a tower of the castle, a step away",
+        Pose(27.95, None, 17.5, 20.0, -4.0),
         40.0,
+        settings={"camera.lens": 0.003, "camera.focus": 0.18},
     ),
     View(
         "close_ivy",
         "ivy on the castle's tower, a step away",
-        Pose(27.25, None, 17.8, 340.0, 8.0),
+        Pose(27.2, None, 17.72, 320.0, 14.0),
         40.0,
-        settings={"camera.lens": 0.004, "camera.focus": 0.17},
+        settings={"camera.lens": 0.004, "camera.focus": 0.13},
     ),
     View(
         "close_gate",
@@ -58,17 +59,17 @@ CLOSE_VIEWS = (
     ),
     View(
         "close_deer",
-        "a stag in high grass",
-        Pose(22.25, 1.14, 25.05, 345.0, -5.0),
+        "a stag in the meadow",
+        Pose(22.25, 1.2, 25.05, 345.0, -8.0),
         40.0,
         settings={"camera.lens": 0.001, "camera.focus": 0.42},
     ),
     View(
         "close_rabbit",
         "the rabbit among blades of grass",
-        Pose(20.6, 1.08, 23.9, 218.0, -8.0),
+        Pose(20.6, 1.12, 23.9, 218.0, -14.0),
         40.0,
-        settings={"camera.lens": 0.002, "camera.focus": 0.26},
+        settings={"camera.lens": 0.0015, "camera.focus": 0.24},
     ),
     View(
         "close_dragon",
@@ -81,6 +82,6 @@ CLOSE_VIEWS = (
         "the peak from its foot, with ledges and gullies",
         Pose(16.0, None, 9.0, 250.0, 10.0),
         20.0,
-        settings={"ground.ledges": 0.7, "camera.lens": 0.004, "camera.focus": 0.35},
+        settings={"ground.ledges": 0.7, "camera.lens": 0.003, "camera.focus": 0.4},
     ),
 )
