@@ -74,6 +74,21 @@ def ramp(stops: tuple[Colour, ...]) -> np.ndarray:
     return np.stack([np.interp(at, np.arange(len(stops)), each) for each in channels], axis=1)
 
 
+def _rise(camera: Camera, near: float, right: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """Return how far the rays through places on the near plane rise, (rows, columns).
+
+    ``right`` (columns,) and ``up`` (rows,) are in units. A picture that does not roll has one for
+    each row.
+    """
+    sin, cos = math.sin(camera.theta_x), math.cos(camera.theta_x)
+    ahead = -math.sin(camera.theta_y) * near
+    steep = math.cos(camera.theta_y)
+    rise = ahead + steep * cos * up[:, None]
+    if sin:
+        rise = rise + steep * sin * right
+    return np.asarray(rise)
+
+
 def background(
     picture: np.ndarray, palette: Palette, camera: Camera, volume: Frustum, columns: range
 ) -> None:
@@ -88,14 +103,7 @@ def background(
         volume.right - volume.left
     ) + volume.left
     up = volume.top - (np.arange(height) - 0.5) / height * (volume.top - volume.bottom)
-    sin, cos = math.sin(camera.theta_x), math.cos(camera.theta_x)
-    ahead = -math.sin(camera.theta_y) * volume.near
-    steep = math.cos(camera.theta_y)
-
-    # How far the ray of each pixel rises; a picture that does not roll has one for each row.
-    rise = ahead + steep * cos * up[:, None]
-    if sin:
-        rise = rise + steep * sin * right
+    rise = _rise(camera, volume.near, right, up)
     shade = np.clip(rise * (STEPS / HIGHEST / volume.near), 0, STEPS - 1).astype(np.int64)
     part[:] = table[shade]
 

@@ -71,6 +71,24 @@ class Levels:
         return np.clip((self.distance(x, y) - begin) / (end - begin), 0.0, 1.0)
 
 
+def _check_tiles(field: HeightField, settings: Flyover, reach: float, far: float) -> None:
+    """Raise InputError if too many tiles without detail lie within ``reach``."""
+    patch = int(settings.patch)
+    tile = patch * field.unit
+    across = 2 * reach / tile
+    if not settings.mirror:
+        across = min(across, field.side / patch)
+    if across > math.sqrt(MOST_TILES):
+        most = math.sqrt(MOST_TILES) * tile / 2 * far / reach
+        raise InputError(
+            "setting flyover.far_undetailed: expected at most {most:.0f} with this "
+            "frustum and flyover.unit={unit:g}, not {far:g}",
+            most=most,
+            unit=field.unit,
+            far=far,
+        )
+
+
 def levels(field: HeightField, camera: Camera, volume: Frustum, settings: Flyover) -> Levels:
     """Return the levels of detail for a camera's view.
 
@@ -88,19 +106,7 @@ def levels(field: HeightField, camera: Camera, volume: Frustum, settings: Flyove
     first = settings.density * field.unit
     coarsest = max(math.ceil(math.log2(reach / first)), 0)
     if not settings.detail:
-        tile = patch * field.unit
-        across = 2 * reach / tile
-        if not settings.mirror:
-            across = min(across, field.side / patch)
-        if across > math.sqrt(MOST_TILES):
-            most = math.sqrt(MOST_TILES) * tile / 2 * far / reach
-            raise InputError(
-                "setting flyover.far_undetailed: expected at most {most:.0f} with this "
-                "frustum and flyover.unit={unit:g}, not {far:g}",
-                most=most,
-                unit=field.unit,
-                far=far,
-            )
+        _check_tiles(field, settings, reach, far)
         return Levels(patch, 0.0, 1.0, reach, coarsest, 0.0)
 
     above = max(camera.z - field.top(camera.x, camera.y), 0.0)

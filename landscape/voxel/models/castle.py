@@ -120,8 +120,23 @@ def _tower(model: np.ndarray, x: int, z: int, radius: int, above: int, cone: int
     ring = shell & ~room
     model[..., WALK - 1][ring] = block("dark brick")
     inward = (1 if x == WEST else -1, 1 if z == NORTH else -1)
+    _tower_doors(model, x, z, radius, inward)
+    _tower_windows(model, x, z, radius, inward)
+    model[x, z, top - 2] = block("lamp")  # hangs from the ceiling
+    _tower_roof(model, x, z, radius, top, cone)
 
-    # Doors where the walk meets the tower, two blocks wide and three high.
+
+def _tower_windows(model: np.ndarray, x: int, z: int, radius: int, inward: tuple[int, int]) -> None:
+    """Windows of a tower look outward, the lower ones with panes."""
+    for dx, dz in ((-inward[0], 0), (0, -inward[1])):
+        at = (x + dx * radius, z + dz * radius)
+        model[(*at, slice(WALK + 1, WALK + 3))] = 0
+        model[(*at, slice(FLOOR + 3, FLOOR + 5))] = block("pane")
+        model[(*at, slice(FLOOR + 2, FLOOR + 6, 3))] = block("dark brick")
+
+
+def _tower_doors(model: np.ndarray, x: int, z: int, radius: int, inward: tuple[int, int]) -> None:
+    """Doors where the walk meets a tower, two blocks wide and three high."""
     sides = slice(*sorted((x, x + inward[0] * 1))), slice(*sorted((z, z + inward[1] * 1)))
     near_x = slice(sides[0].start, sides[0].start + 2)
     near_z = slice(sides[1].start, sides[1].start + 2)
@@ -130,16 +145,9 @@ def _tower(model: np.ndarray, x: int, z: int, radius: int, above: int, cone: int
     model[far_x, near_z, WALK : WALK + 3] = 0
     model[near_x, far_z, WALK : WALK + 3] = 0
 
-    # Windows look outward, one of them lit; a lamp hangs from the ceiling.
-    for dx, dz in ((-inward[0], 0), (0, -inward[1])):
-        at = (x + dx * radius, z + dz * radius)
-        model[(*at, slice(WALK + 1, WALK + 3))] = 0
-        model[(*at, slice(FLOOR + 3, FLOOR + 5))] = block("pane")
-        model[(*at, slice(FLOOR + 2, FLOOR + 6, 3))] = block("dark brick")
 
-    model[x, z, top - 2] = block("lamp")
-
-    # A jutting course under the eaves, then the cone.
+def _tower_roof(model: np.ndarray, x: int, z: int, radius: int, top: int, cone: int) -> None:
+    """A jutting course under the eaves, then the cone."""
     model[..., top - 1][disc(PLAN, (x, z), radius + 0.4)] = block("dark brick")
     for level in range(cone):
         wide = (radius + 1.2) * (1 - level / cone) + 0.15
@@ -154,7 +162,18 @@ def _gatehouse(model: np.ndarray) -> None:
     body = (slice(GATE - 3, GATE + 6), slice(SOUTH - 2, SOUTH + 3))
     _stone(model, (*body, slice(0, FLOOR + 2)), dark=True)
     _stone(model, (*body, slice(FLOOR + 2, top)))
-    for x, tall in zip(turrets, (top + 2, top + 3), strict=True):
+    _turrets(model, dict(zip(turrets, (top + 2, top + 3), strict=True)))
+    _passage(model)
+    _guardroom(model)
+    _stone(model, (*body, slice(top - 1, top)), dark=True)
+    for x in range(GATE - 3, GATE + 6, 2):
+        model[x, SOUTH - 2 : SOUTH + 3 : 4, top] = block("brick")
+    _banners(model, turrets)
+
+
+def _turrets(model: np.ndarray, heights: dict[int, int]) -> None:
+    """Octagonal turrets under cones of slate, each with a lamp, by their x."""
+    for x, tall in heights.items():
         turret = octagon(PLAN, (x, SOUTH + 2), 2.4)
         model[..., :tall][turret] = block("brick")
         model[..., : FLOOR + 2][turret] = block("dark brick")
@@ -163,7 +182,9 @@ def _gatehouse(model: np.ndarray) -> None:
             model[..., tall + level][disc(PLAN, (x, SOUTH + 2), wide)] = block("slate")
         model[x, SOUTH + 4, WALK + 3 : WALK + 5] = block("lamp")
 
-    # The passage, an arch six blocks high, the raised grille in it.
+
+def _passage(model: np.ndarray) -> None:
+    """The passage, an arch six blocks high, the raised grille in it."""
     passage = slice(SOUTH - 3, SOUTH + 5)
     model[GATE : GATE + 3, passage, FLOOR : FLOOR + 5] = 0
     model[GATE + 1, passage, FLOOR + 5] = 0
@@ -173,18 +194,19 @@ def _gatehouse(model: np.ndarray) -> None:
     model[GATE : GATE + 3, SOUTH - 2, FLOOR + 5] = block("planks")
     model[GATE - 1 : GATE + 4 : 4, SOUTH + 3, FLOOR + 3] = block("lamp")
 
-    # The guardroom, through which the wall-walk goes.
+
+def _guardroom(model: np.ndarray) -> None:
+    """The guardroom, through which the wall-walk goes."""
     room = (slice(GATE - 5, GATE + 8), slice(SOUTH - 1, SOUTH + 1))
     model[(*room, slice(WALK, WALK + 3))] = 0
     model[(*room, slice(WALK - 1, WALK))] = block("planks")
     model[GATE + 1, SOUTH - 1 : SOUTH + 1, WALK + 3] = block("lamp")
     model[GATE : GATE + 3 : 2, SOUTH - 2, WALK + 1 : WALK + 3] = 0
     model[GATE : GATE + 3 : 2, SOUTH + 1 : SOUTH + 3, WALK + 1 : WALK + 3] = 0
-    _stone(model, (*body, slice(top - 1, top)), dark=True)
-    for x in range(GATE - 3, GATE + 6, 2):
-        model[x, SOUTH - 2 : SOUTH + 3 : 4, top] = block("brick")
 
-    # A banner over the arch, and one on each turret that ends in a point.
+
+def _banners(model: np.ndarray, turrets: tuple[int, int]) -> None:
+    """A banner over the arch, and one on each turret that ends in a point."""
     model[GATE + 1, SOUTH + 3, FLOOR + 7 : WALK + 3] = block("red cloth")
     model[GATE : GATE + 3, SOUTH + 3, WALK + 3] = block("oak log")
     for x in turrets:

@@ -18,17 +18,23 @@ def yard(model: np.ndarray, ground: np.ndarray, floor: int, gate: int, south: in
     """
     model[..., floor - 4 : floor - 1][ground] = block("earth")
     model[..., floor - 1][ground] = block("grass")
+    path = _paths(ground.shape, gate, south)
+    model[..., floor - 1][path & ground] = block("gravel")
+
+
+def _paths(shape: tuple[int, ...], gate: int, south: int) -> np.ndarray:
+    """Return in which columns, bool [x, z], paths go through the court, and around its well."""
     stops = ((gate, south), (gate, 24), WELL, (26, 24), (11, 18), (9, 27))
     branches = ((0, 1), (1, 2), (2, 3), (1, 4), (1, 5))
-    x, z = np.ogrid[: model.shape[0], : model.shape[1]]
-    path = np.zeros(ground.shape, bool)
+    x, z = np.ogrid[: shape[0], : shape[1]]
+    path = np.zeros(shape, bool)
     for a, b in branches:
         for t in np.linspace(0, 1, 24):
             cx, cz = (1 - t) * np.array(stops[a]) + t * np.array(stops[b])
             wander = 0.5 * np.sin(1.7 * cz + a)
             path |= (x - cx - wander) ** 2 + (z - cz) ** 2 <= 1.7**2
     path |= (x - WELL[0]) ** 2 + (z - WELL[1]) ** 2 <= 3.3**2
-    model[..., floor - 1][path & ground] = block("gravel")
+    return path
 
 
 def court(model: np.ndarray, floor: int) -> None:

@@ -27,8 +27,12 @@ def keep(model: np.ndarray, floor: int) -> None:
     _top(model, top)
     _stairs_inside(model, floor, top)
     _door(model, floor)
+    _furniture(model, floor, top)
 
-    # A lamp on a long chain, a table, and a carpet from the door.
+
+def _furniture(model: np.ndarray, floor: int, top: int) -> None:
+    """A lamp on a long chain, a table, and a carpet from the door."""
+    (x, z), (wide, deep) = KEEP, SIDE
     model[x + wide // 2, z + deep // 2, floor + 8 : top - 1] = block("dark")
     model[x + wide // 2, z + deep // 2, floor + 7] = block("lamp")
     model[x + 4 : x + 6, z + 4 : z + 7, floor] = block("planks")
@@ -65,15 +69,21 @@ def _windows(model: np.ndarray, floor: int, top: int) -> None:
                 model[(*plan, low - 1)] = block("dark brick")
 
 
+def _corbels(model: np.ndarray, level: int) -> None:
+    """Stones below the platform that juts out, every second one."""
+    (x, z), (wide, deep) = KEEP, SIDE
+    for cx in range(x - 1, x + wide + 1, 2):
+        model[cx, z - 1 : z + deep + 1 : deep + 1, level] = block("dark brick")
+    for cz in range(z - 1, z + deep + 1, 2):
+        model[x - 1 : x + wide + 1 : wide + 1, cz, level] = block("dark brick")
+
+
 def _top(model: np.ndarray, top: int) -> None:
     """A platform that juts out, with merlons, and a watch turret on one corner."""
     (x, z), (wide, deep) = KEEP, SIDE
     outer = (slice(x - 1, x + wide + 1), slice(z - 1, z + deep + 1))
     inner = (slice(x, x + wide), slice(z, z + deep))
-    for cx in range(x - 1, x + wide + 1, 2):
-        model[cx, z - 1 : z + deep + 1 : deep + 1, top - 2] = block("dark brick")
-    for cz in range(z - 1, z + deep + 1, 2):
-        model[x - 1 : x + wide + 1 : wide + 1, cz, top - 2] = block("dark brick")
+    _corbels(model, top - 2)
     model[(*outer, slice(top - 1, top))] = block("dark brick")
     model[(*outer, slice(top, top + 2))] = block("brick")
     model[(*inner, slice(top, top + 2))] = 0
@@ -82,7 +92,12 @@ def _top(model: np.ndarray, top: int) -> None:
     for cz in range(z, z + deep + 1, 3):
         model[x - 1 : x + wide + 1 : wide + 1, cz, top + 1] = 0
 
-    # The turret, on the north-eastern corner, with a lit window and a cone.
+    _watch_turret(model, top)
+
+
+def _watch_turret(model: np.ndarray, top: int) -> None:
+    """The turret, on the north-eastern corner, with a lit window and a cone."""
+    (x, z), (wide, _deep) = KEEP, SIDE
     cx, cz = x + wide - 2, z + 1
     plan = model.shape[:2]
     turret = disc((plan[0], plan[1]), (cx, cz), 2.4)
@@ -141,6 +156,16 @@ def hall(model: np.ndarray, floor: int) -> None:
     for cx in (x, x + wide - 1):
         for cz in (z, z + deep - 1):
             model[cx, cz, floor : floor + 5] = block("oak log")
+    _hall_roof(model, floor)
+    _hall_inside(model, floor)
+
+    # The chimney.
+    model[x + 1, z + 1, floor : floor + 11] = block("dark brick")
+
+
+def _hall_roof(model: np.ndarray, floor: int) -> None:
+    """The steep roof of the hall, between two gables."""
+    x, z, wide, deep = HALL
     for step in range(deep // 2 + 2):
         rows = (z - 1 + step, z + deep - step)
         gable = slice(rows[0] + 1, rows[1])
@@ -148,6 +173,10 @@ def hall(model: np.ndarray, floor: int) -> None:
         for row in rows:
             model[x - 1 : x + wide, row, floor + 4 + step : floor + 6 + step] = block("slate")
 
+
+def _hall_inside(model: np.ndarray, floor: int) -> None:
+    """The room of the hall: its door, its lamps and windows, a table."""
+    x, z, wide, deep = HALL
     inside = (slice(x + 1, x + wide - 1), slice(z + 1, z + deep - 1))
     model[(*inside, slice(floor, floor + 5))] = 0
     model[(*inside, slice(floor - 1, floor))] = block("planks")
@@ -158,6 +187,3 @@ def hall(model: np.ndarray, floor: int) -> None:
     model[x + 3 : x + 5, z, floor + 2 : floor + 4] = block("pane")
     model[x + wide // 2, z + deep // 2, floor + 4] = block("lamp")
     model[x + 2 : x + 7, z + 1, floor] = block("planks")
-
-    # The chimney.
-    model[x + 1, z + 1, floor : floor + 11] = block("dark brick")

@@ -51,6 +51,17 @@ BLACK = 0.16  # colours darker than this are the eyes, chosen
 SEA = 0.2
 
 
+def _give_eyes(model: np.ndarray, places: np.ndarray) -> None:
+    """Make the outermost blocks at the height of the eyes' vertices (n, 3) dark, in place.
+
+    Half a block wide, an eye would have no block of its own, or two.
+    """
+    if len(places):
+        x, _, y = (places.min(axis=0) + places.max(axis=0)).astype(int) // 2
+        across = np.flatnonzero(model[x, :, y])
+        model[x, [*across[:1], *across[-1:]], y] = block("dark")
+
+
 def rabbit(path: Path, height: int = 14) -> np.ndarray:
     """Return the rabbit, ``height`` blocks high, uint8 [x, z, y]; it sits on its lowest level.
 
@@ -62,12 +73,8 @@ def rabbit(path: Path, height: int = 14) -> np.ndarray:
     model = _voxels(places, shape, triangles, colours, RABBIT)
     model = np.maximum(model, model[:, ::-1])  # where the sides differ, the lighter block
 
-    # Half a block wide, an eye would have no block of its own, or two.
-    black = np.zeros(len(places), bool) if colours is None else colours.max(axis=1) < 255 * BLACK
-    if black.any():
-        x, _, y = (places[black].min(axis=0) + places[black].max(axis=0)).astype(int) // 2
-        across = np.flatnonzero(model[x, :, y])
-        model[x, [*across[:1], *across[-1:]], y] = block("dark")
+    if colours is not None:
+        _give_eyes(model, places[colours.max(axis=1) < 255 * BLACK])
 
     # Only its ears and its nose are pink; elsewhere that is the border between brown and white.
     low = model[..., : round(0.7 * model.shape[2])]
@@ -129,6 +136,22 @@ def _grid(
     return places + ((long, wide, tall) - places.max(axis=0)) / 2, (long, wide, tall)
 
 
+def _nearest(triangles: np.ndarray, colours: np.ndarray | None, palette: Palette) -> np.ndarray:
+    """Return which of a palette's colours is nearest to that of each triangle, (n,)."""
+    if colours is None:
+        return np.zeros(len(triangles), int)
+    mean = colours[triangles].mean(axis=1) / 255.0
+    named = np.array([colour for _, colour, _ in palette])
+    return np.asarray(((mean[:, None] - named) ** 2).sum(axis=2).argmin(axis=1))
+
+
+def _elected(votes: np.ndarray, weights: np.ndarray, cells: np.ndarray, count: int) -> np.ndarray:
+    """Return the block that the points (n,) of each of ``count`` cells elect by their weights."""
+    kinds = np.unique(votes)
+    sums = [np.bincount(cells, weights * (votes == kind), count) for kind in kinds]
+    return np.asarray(kinds[np.argmax(sums, axis=0)])
+
+
 def _voxels(
     places: np.ndarray,
     shape: tuple[int, int, int],
@@ -143,17 +166,9 @@ def _voxels(
     count = int(np.prod(shape))
     area = np.bincount(flat, areas, count).reshape(shape)
     numbers = np.array([block(name) for name, _, _ in palette], np.uint8)
-    nearest = np.zeros(len(triangles), int)
-    if colours is not None:
-        mean = colours[triangles].mean(axis=1) / 255.0
-        named = np.array([colour for _, colour, _ in palette])
-        nearest = ((mean[:, None] - named) ** 2).sum(axis=2).argmin(axis=1)
-
-    weights = np.array([weight for _, _, weight in palette])[nearest][whose]
-    elected = numbers[nearest][whose]
-    kinds = np.unique(numbers)
-    votes = [np.bincount(flat, areas * weights * (elected == kind), count) for kind in kinds]
-    chosen = kinds[np.argmax(votes, axis=0)].reshape(shape)
+    nearest = _nearest(triangles, colours, palette)
+    weights = areas * np.array([weight for _, _, weight in palette])[nearest][whose]
+    chosen = _elected(numbers[nearest][whose], weights, flat, count).reshape(shape)
 
     # Blocks hidden inside are of the first kind.
     chosen[area == 0] = numbers[0]

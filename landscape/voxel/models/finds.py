@@ -15,6 +15,17 @@ DECK = 6  # the level just above the sea in the jetty, whose posts go below it
 BOAT = 12  # columns that the boat takes from the land end on
 
 
+def _jagged(plan: tuple[int, int], rng: np.random.Generator) -> np.ndarray:
+    """Return how high a ruined wall stands in each column [x, z], in blocks.
+
+    It is highest in one direction, and falls off on either side of it in jagged steps.
+    """
+    x, z = np.ogrid[: plan[0], : plan[1]]
+    turn = rng.uniform(-0.5, 0.5)
+    angle = np.arctan2(z - 7.0, x - 7.0) - turn
+    return np.asarray(5.5 + 4.5 * np.cos(angle) + rng.uniform(-0.9, 0.9, plan))
+
+
 def ruin(rng: np.random.Generator) -> np.ndarray:
     """Return a round tower, its top fallen in, with ivy, rubble and half a flight of stairs."""
     model = np.zeros((15, 15, FLOOR + 14), np.uint8)
@@ -22,12 +33,7 @@ def ruin(rng: np.random.Generator) -> np.ndarray:
     wall = disc(plan, middle, 4.4) & ~disc(plan, middle, 3.1)
     model[..., : FLOOR - 1][disc(plan, middle, 4.4)] = block("rock")
     model[..., FLOOR - 1][disc(plan, middle, 3.1)] = block("gravel")
-    x, z = np.ogrid[:15, :15]
-
-    # The wall is highest in one direction, and falls off on either side of it in jagged steps.
-    turn = rng.uniform(-0.5, 0.5)
-    angle = np.arctan2(z - 7.0, x - 7.0) - turn
-    tops = 5.5 + 4.5 * np.cos(angle) + rng.uniform(-0.9, 0.9, plan)
+    tops = _jagged(plan, rng)
     level = np.arange(model.shape[2])
     standing = wall[..., None] & (level < FLOOR + np.rint(tops)[..., None])
     model[standing] = block("brick")
@@ -41,20 +47,25 @@ def ruin(rng: np.random.Generator) -> np.ndarray:
     for step, (cx, cz) in enumerate(way[:6]):
         model[cx, cz, FLOOR : FLOOR + step + 1] = block("brick")
 
-    # Ivy hangs down outside; what has fallen lies around.
-    outer = disc(plan, middle, 5.4) & ~disc(plan, middle, 4.4)
+    _let_ivy_hang(model, disc(plan, middle, 5.4) & ~disc(plan, middle, 4.4), rng)
+
+    # What has fallen lies around.
+    for cx, cz in np.argwhere(~disc(plan, middle, 5.4) & disc(plan, middle, 7.3)):
+        if rng.random() < 0.14:
+            model[cx, cz, FLOOR - 2 : FLOOR + int(rng.integers(0, 2))] = block("brick")
+    model[7, 7, FLOOR - 1] = block("lamp")
+    return model
+
+
+def _let_ivy_hang(model: np.ndarray, outer: np.ndarray, rng: np.random.Generator) -> None:
+    """Let ivy hang down the wall in some of the columns ``outer`` [x, z], in place."""
+    plan, middle = outer.shape, (7, 7)
     for cx, cz in np.argwhere(outer & (rng.random(plan) < 0.4)):
         inward = np.rint((np.array(middle) - (cx, cz)) / 5.0).astype(int)
         behind = np.flatnonzero(model[cx + inward[0], cz + inward[1]] > 0)
         if len(behind) and behind[-1] > FLOOR + 1:
             top = int(behind[-1]) + 1
             model[cx, cz, max(top - int(rng.integers(2, 6)), FLOOR) : top] = block("oak leaves")
-
-    for cx, cz in np.argwhere(~disc(plan, middle, 5.4) & disc(plan, middle, 7.3)):
-        if rng.random() < 0.14:
-            model[cx, cz, FLOOR - 2 : FLOOR + int(rng.integers(0, 2))] = block("brick")
-    model[7, 7, FLOOR - 1] = block("lamp")
-    return model
 
 
 def jetty(length: int = 13) -> np.ndarray:
