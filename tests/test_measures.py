@@ -6,6 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from landscape.scene.scene import SCENES, Scene, scene
+from landscape.settings.declare import fields, words
+from landscape.walk.keys import SETTINGS
+
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
@@ -109,6 +113,27 @@ def test_what_else_has_met_its_target_stays_below_it() -> None:
         "classes with an `apply` of their own": len(measures.classes_with("apply", ROOT, HOUSE)),
     }
     assert over_their_targets(counts) == {}, "python scripts/measures.py --places"
+
+
+MOST_UNCHANGED = 120  # the target of docs/measures.md
+
+
+def unchanged(kind: Scene) -> set[str]:
+    """Return the settings of a scene that nothing in it changes: no preset, view, fix or key."""
+    changed: set[str] = {each.setting for each in (*kind.digits.values(), *kind.letters.values())}
+    changed |= {*SETTINGS.values()}
+    for table in (*kind.presets.values(), *(view.settings for view in kind.views.values())):
+        changed |= {*table}
+    for key, tables in words(type(kind.settings)).items():
+        changed |= {key, *(name for table in tables.values() for name in table)}
+    for fix in kind.fixes:
+        changed |= {*fix.on, *fix.off, *fix.as_view().settings}
+    return {*fields(type(kind.settings))} - changed
+
+
+def test_most_settings_are_changed_somewhere() -> None:
+    counts = {name: len(unchanged(scene(name))) for name in SCENES}
+    assert sum(counts.values()) <= MOST_UNCHANGED, f"{counts}: give each a view that shows it"
 
 
 def test_the_page_of_measures_names_the_targets_that_are_met() -> None:
