@@ -184,12 +184,12 @@ def test_the_depth_texture_is_clear_at_the_edge_and_opaque_in_deep_water_and_at_
     assert row[1, 1] > row[4, 1] == 128
 
 
-def test_the_seas_colour_goes_from_sand_by_turquoise_to_blue_with_its_depth() -> None:
+def test_the_seas_colour_goes_from_sand_by_green_to_blue_with_its_depth() -> None:
     depths = np.tile(np.array([5.0, -0.1, 0.0, 0.06, 0.5, 0.0]), (6, 1))
-    sand, edge, turquoise, deep = body_picture(depths, np.array([0.2, 0.4, 0.5]))[2, 1:5] / 255
+    sand, edge, green, deep = body_picture(depths, np.array([0.2, 0.4, 0.5]))[2, 1:5] / 255
     assert (sand == edge).all() and edge[3] == 0 and deep[3] == 1
-    assert edge[0] > turquoise[0] > deep[0], "red goes first"
-    assert turquoise[1] > deep[1] and turquoise[2] > deep[2]
+    assert edge[0] > green[0] > deep[0], "red goes first"
+    assert green[1] > deep[1] and green[2] > deep[2]
     assert deep[:3] == pytest.approx(np.array([0.2, 0.4, 0.5]) * DEEP, abs=0.005)
     assert (body_picture(depths, np.ones(3))[0, :, 3] == 255).all(), "beyond is the open sea"
 

@@ -8,7 +8,7 @@ SEA_OF_BEST: dict[str, Value] = {
     "water.fresnel": True,
     "reflection.rippled": True,
     "ground.resolution": 160,
-    "water.color": (0.16, 0.32, 0.38, 0.93),
+    "water.color": (0.095, 0.195, 0.225, 0.93),
     "fog.density": 0.05,
 }
 
@@ -22,13 +22,13 @@ BEST_FIXES: tuple[Fix, ...] = (
         {"water.shallow": True},
         "In fig9a the sea is equally dark everywhere, and meets the beach in a hard edge.",
         "Follow the edge of the sand. Before, it is a sharp, angular line; after, the sea floor "
-        "shows through where the water is shallow, and the sea turns from turquoise to blue.",
+        "shows through where the water is shallow, and the sea turns from green to blue.",
         "A texture of the water's depth, on a second texture unit, sets the colour of the water "
         "and its alpha (for glBlendFunc). The ground is now drawn a little below the water as "
         "well.",
         (
             "a wooded spit of sand in dark water, with an angular edge",
-            "the same spit fading softly into turquoise water",
+            "the same spit fading softly into green water",
         ),
         common=SEA_OF_BEST,
         only=("ground", "water", "sky", "trees", "reflection", "fog"),

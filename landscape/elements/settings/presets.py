@@ -68,7 +68,7 @@ BEST: dict[str, Value] = {
     "water.fresnel": True,
     "water.horizon": 400.0,
     "water.glitter": 0.35,
-    "water.color": (0.16, 0.32, 0.38, 0.93),
+    "water.color": (0.095, 0.195, 0.225, 0.93),
     "sky.refined": True,
     "sky.moving": True,
     "sky.follow_y": True,

@@ -140,9 +140,7 @@ class Water:
             "or water.foam or water.ripples or water.horizon_contrast",
         ),
     )
-    shallow: bool = setting(
-        False, "chosen", "shallow water is clear and turquoise", needs=("water",)
-    )
+    shallow: bool = setting(False, "chosen", "shallow water is clear and greener", needs=("water",))
     caustics: bool = setting(
         False,
         "chosen",

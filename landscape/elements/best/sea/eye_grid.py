@@ -12,8 +12,8 @@ import numpy as np
 from landscape.frame import Frame
 from landscape.geometry.mesh import grid_triangles
 
-AZIMUTH_STEP = np.radians(2.0)  # chosen: angle between two lines of the grid, across
-DEPRESSION_STEP = np.radians(0.6)  # chosen: and downwards
+AZIMUTH_STEP = np.radians(1.2)  # chosen: angle between two lines of the grid, across
+DEPRESSION_STEP = np.radians(0.45)  # chosen: and downwards
 # Chosen: more lines between the horizon and the first one below it, as fractions of that angle:
 # there a step of one line is most of the way to the horizon.
 FAR_LINES = (0.12, 0.3, 0.6)

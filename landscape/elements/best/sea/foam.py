@@ -34,6 +34,7 @@ SMOOTH = 8  # chosen: texels along the shore over which its width is averaged
 CRESTS = 1.15  # chosen: widths from one crest to the next
 SWELL = 0.5  # chosen: density of foam in a crest
 EDGE = 0.66  # chosen: density of the foam that stays at the edge
+NARROWEST = 0.035  # chosen: units in which that foam falls to 1/e at least
 TROUGH = -0.2  # chosen: density between the crests: below 0, so that crests are narrow
 PERIOD = 180.0  # chosen: kt between two crests
 CONTRAST = 2.0  # chosen: of foam and lace; OpenGL allows 1, 2 and 4
@@ -47,6 +48,8 @@ ENDS = 1.7  # chosen: widths from the shoreline beyond which there is none
 ASHORE = 0.06  # chosen: units of land that waves may cover
 PATCH = 0.3  # chosen: units, size of the patches of foam at an edge that waves run over
 LEFT = 0.55  # chosen: fraction of the foam at the edge that is left in such a patch
+RUN_OVER = 0.3  # chosen: slope, rise over run, above which waves do not run up a shore
+LAPPING = 1.35  # chosen: fraction of the foam that is left in such a patch on a steep shore
 NEARBY = 0.5  # chosen: units within which distances from foam are known
 
 
@@ -80,7 +83,7 @@ def wash(distance: np.ndarray, slope: np.ndarray) -> tuple[np.ndarray, np.ndarra
     """
     along = distance / widths(slope)
     swell = SWELL * np.exp(-np.square((along - 0.5) / 0.62))
-    edge = EDGE * np.exp(-np.abs(along) / 0.27) + TROUGH
+    edge = EDGE * np.exp(-np.abs(distance) / np.maximum(0.27 * widths(slope), NARROWEST)) + TROUGH
     outside = np.clip((np.abs(along) - 1.2) / (ENDS - 1.2), 0.0, 1.0)
     return swell * (1.0 - outside), 2 * np.pi / CRESTS * along, edge - (1.0 + edge) * outside
 
@@ -228,15 +231,18 @@ def shore_shape(field: HeightField) -> tuple[np.ndarray, np.ndarray]:
     return distance, slope
 
 
-def broken(edge: np.ndarray, size: float) -> np.ndarray:
+def broken(edge: np.ndarray, slope: np.ndarray, size: float) -> np.ndarray:
     """Return the foam that stays, (n, n), in patches: what the last wave has not left is gone.
 
-    ``size`` is the map's side in units.
+    Waves do not run up a steep shore, of ``slope`` (n, n): there they lap at the rock, and more
+    foam stays. ``size`` is the map's side in units.
     """
     knots = max(int(size / PATCH), 2)
     coarse = np.random.default_rng(1912).uniform(0.0, 1.0, (knots, knots)).astype(np.float32)
     fine = Image.fromarray(coarse).resize(edge.shape, Image.Resampling.BICUBIC)
-    kept = LEFT * np.clip(1.6 * np.asarray(fine) - 0.4, 0.0, 1.0)
+    lapping = np.clip((slope - RUN_OVER) / RUN_OVER, 0.0, 1.0)
+    left = LEFT + (LAPPING - LEFT) * lapping
+    kept = left * np.clip(1.6 * np.asarray(fine) - 0.4 + 0.25 * lapping, 0.0, 1.0)
     return np.asarray(TROUGH + (edge - TROUGH) * np.where(edge > TROUGH, kept, 1.0))
 
 
@@ -245,14 +251,17 @@ def shore_wash(
 ) -> tuple[tuple[np.ndarray, ...], np.ndarray]:
     """Return what :func:`wash` does for each texel of the map, and how far from foam it is.
 
-    With ``run_up`` the foam that stays at the edge is broken, as waves climb the sand (run_up.py).
+    The foam that stays at the edge is broken; more so with ``run_up``, as waves climb the sand
+    (run_up.py).
     """
     distance, slope = shore_shape(field)
     along, some = np.linspace(0.0, ENDS, 500), np.array(STEEP)
     swell, _, edge = wash(along * widths(some), some)
-    apart = np.maximum(distance - last_foam(along, swell, edge) * widths(slope), -ASHORE - distance)
+    ends = np.maximum(last_foam(along, swell, edge) * widths(slope), 2.0 * NARROWEST)
+    apart = np.maximum(distance - ends, -ASHORE - distance)
     swell, phase, edge = wash(distance, slope)
-    return (swell, phase, broken(edge, field.size) if run_up else edge), apart
+    lapped = slope if run_up else np.full_like(slope, 2.0 * RUN_OVER)
+    return (swell, phase, broken(edge, lapped, field.size)), apart
 
 
 class Foam:
@@ -263,7 +272,7 @@ class Foam:
     ) -> None:
         """Make the textures; with ``rings``, also those around the dragon.
 
-        With ``run_up`` the foam at the shoreline is broken.
+        With ``run_up`` there is less foam at the shoreline of beaches.
         """
         self._washes = [Wash(*shore_wash(field, run_up), size=field.size)]
         if rings is not None:

@@ -18,7 +18,9 @@ PATCHES = 0.2  # chosen: how unevenly short waves are spread over the tile
 PATCH = 2.5  # chosen: cycles per tile of these patches
 RANGE = 3.2  # chosen: standard deviations of a slope that a texel can hold
 # Chosen: gusts as wave numbers along x and z (radians per unit), and how far one bends the next.
-GUSTS = np.array([(0.31, 0.13), (-0.17, 0.39), (0.83, -0.35), (0.29, 1.07)], np.float32)
+GUSTS = np.array(
+    [(0.31, 0.13), (-0.17, 0.39), (0.83, -0.35), (0.29, 1.07), (2.3, -1.1), (1.2, 2.9)], np.float32
+)
 BENT = 1.4
 GUST_SPEED = 0.06  # chosen: radians per t
 

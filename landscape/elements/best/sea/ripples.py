@@ -37,17 +37,20 @@ MUTED = 0.3  # chosen: by how much a slope of 1 changes the opacity at least
 TILES = (0.32, 2.8)  # chosen: tiles of each layer per tile of water.repeat: a long and a fine one
 TURNS = np.radians([11.0, 48.0])  # chosen: by which each layer is turned on the map
 DRIFTS = ((0.19, 0.10), (0.05, 0.06))  # chosen: units per t along x and z
-FINE_LEVELS = (1.0, 0.95, 0.75, 0.4, 0.1, 0.0)  # chosen: the fine layer's contrast by mip level
+FINE_LEVELS = (1.0, 0.97, 0.85, 0.6, 0.3, 0.0)  # chosen: the fine layer's contrast by mip level
 # Chosen: standard deviations that a texel of each layer holds. The fine one is clipped, which gives
 # its waves faces with edges.
 HELD = (RANGE, 1.6)
 # Chosen: cycles per tile of each layer's longest waves, and how unevenly waves are spread over it.
 # The long one is so large that near the eye any single patch of it would be a swirl in the sea.
 LONGEST, PATCHES = (6.0, 4.0), (0.05, 0.2)
-FINE_CELLS = 0.06  # chosen: units, in larger cells of the grid the fine layer is flat
+FINE_CELLS = 0.13  # chosen: units, in larger cells of the grid the fine layer is flat
 LEAST = 0.45  # chosen: share of the higher place of the mirror image at a grazing angle
 APART = 0.02  # chosen: slope between the mirror image's two places, and the level sea
-SLICK, GUST = 0.35, 1.35  # chosen: contrast of the ripples in a slick and in a gust
+STIRRED = 0.33  # chosen: contrast of the ripples in the calmest cove
+CLOSER = 0.1  # chosen: fraction of that on calm water, which shows no image twice
+SLICK, GUST = 0.7, 1.3  # chosen: contrast of the ripples in a slick and in a gust
+FAR_SLICK = 0.2  # chosen: and in a slick far away, where the sea would look even
 OPEN_SEA = 9.0  # units of depth where the bottom is not to be seen
 LONG, FINE = range(2)  # layers
 # Texture units: the long layer, the water's own colour, the higher place of the mirror image or the
@@ -168,8 +171,11 @@ class Ripples:
         water, shape = settings.water, grid.x.shape
         slope_x, slope_z, move_x, move_z = slopes
         places = np.ascontiguousarray(vertices[:, ::2])
-        gusty = SLICK + (GUST - SLICK) * gusts(grid.x, grid.z, t)
-        rough = gusty * sheltered
+        # Where the fine layer begins there is only one mirror image left.
+        begun = np.clip(2.0 * (grid.cell / FINE_CELLS - 1.0), 0.0, 1.0).astype(np.float32)
+        slick = (SLICK + (FAR_SLICK - SLICK) * begun)[:, None]
+        gusty = slick + (GUST - slick) * gusts(grid.x, grid.z, t)
+        rough = gusty * np.maximum(sheltered, np.float32(STIRRED))
         level, change = np.full(shape, water.color[3], np.float32), np.zeros(shape, np.float32)
         if water.fresnel:
             cosine = facing(grid, slope_x, slope_z, rough)
@@ -183,9 +189,7 @@ class Ripples:
         layers = [long, places / np.float32(self._size)]
         far = near_rows(grid) * 2 * (shape[1] - 1)
         if mirror is not None:
-            # Where the fine layer begins there is only one mirror image left.
-            begun = np.clip(2.0 * (grid.cell / FINE_CELLS - 1.0), 0.0, 1.0)
-            apart = (0.4 + 0.6 * rough) * (APART * begun)[:, None]
+            apart = (CLOSER + (1.0 - CLOSER) * rough) * (APART * begun)[:, None]
             y = vertices[:, 1].reshape(shape)
             layers += [
                 mirror_places(grid, y, move_x * gusty, move_z * gusty, tilt.astype(np.float32))
@@ -237,7 +241,9 @@ class Ripples:
         combine({**mix, "SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR", **alpha})
         gl.glActiveTexture(texture_unit(LAST))
         combine({**mix, "SRC0_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
-        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": f"TEXTURE{BODY}"})
+        combine({"COMBINE_ALPHA": "INTERPOLATE", "SRC0_ALPHA": f"TEXTURE{BODY}"})
+        combine({"SRC1_ALPHA": "CONSTANT", "SRC2_ALPHA": "PREVIOUS"})
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, np.ones(4, np.float32))
 
     def _set_near(self) -> None:
         """Multiply near water's layers, and mix its own colour with one mirror image alone."""
@@ -248,6 +254,7 @@ class Ripples:
         self._layers[FINE].bind()
         combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "PREVIOUS"})
         combine({"OPERAND1_RGB": "SRC_ALPHA"})
+        combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "PREVIOUS", "SRC1_ALPHA": "PREVIOUS"})
         gl.glActiveTexture(texture_unit(LAST))
         combine({"SRC0_RGB": f"TEXTURE{BODY}", "OPERAND2_RGB": "SRC_COLOR"})
 

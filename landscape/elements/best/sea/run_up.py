@@ -48,13 +48,13 @@ ACROSS, STEPS = 256, 1024  # texels of the diagram, across the beach and in time
 HALF_TEXEL = 0.5 / ACROSS * (LAST - FIRST)  # reaches: the texture repeats beyond its ends
 DRYING = 1.1  # chosen: waves until the sand is as dry as before
 SHINING = 0.45  # chosen: waves until its shine is 1/e
-DARKEST = 0.66  # chosen: factor on wet sand, in addition to the band that is always damp
+DARKEST = 0.78  # chosen: factor on wet sand, in addition to the band that is always damp
 SPREADING = 0.25  # chosen: fraction of its way down in which a wave's foam has spread
-LINGERING = 0.8  # chosen: waves until the foam that lies on the sand is 1/e as dense
+LINGERING = 0.6  # chosen: waves until the foam that lies on the sand is 1/e as dense
 SHINE = 0.85  # chosen: alpha of the mirror image at a grazing angle
 LACE_REPEAT = 5.3  # chosen: tiles of lace per unit
 SOFT = 0.035  # chosen: reaches over which sand at the edge of the wet grows dry
-WEED = (0.17, 0.13, 0.09)  # chosen: RGB of dry weed
+WEED = (0.24, 0.19, 0.13)  # chosen: RGB of dry weed
 WEED_AT = 1.16  # chosen: reaches above the shoreline, where no wave's foam comes
 
 
@@ -77,14 +77,14 @@ def foam_at(place: np.ndarray, time: float, height: float) -> np.ndarray:
     edge = float(front(np.array(time))) * height
     behind = np.maximum(edge - place, 0.0)
     # Less than one half at the edge itself: it is frayed by lace, and no even line.
-    body = 0.12 * np.exp(-behind / 0.10) + 0.33 * np.exp(-behind / 0.6)
+    body = 0.06 * np.exp(-behind / 0.10) + 0.28 * np.exp(-behind / 0.6)
     if time < RISING:
         return np.asarray(np.where(place < edge, body, 0.0))
     drained = (time - RISING) / (1.0 - RISING)
     # What the wave has brought spreads while it turns: nowhere does lace appear at once.
     spread = min(drained / SPREADING, 1.0)
-    film = (body + spread * (0.34 - body)) * (1.0 - drained) ** 0.6
-    left = 0.31 * (1.0 - drained) ** 1.3 * np.exp(-np.maximum(height - place, 0.0) / 0.5)
+    film = (body + spread * (0.28 - body)) * (1.0 - drained) ** 0.6
+    left = 0.24 * (1.0 - drained) ** 1.3 * np.exp(-np.maximum(height - place, 0.0) / 0.5)
     mark = 0.11 * (1.0 - drained) ** 0.5 * np.exp(-np.square((height - 0.06 - place) / 0.06))
     foam = np.where(place < edge, film, left) + spread * mark
     return np.asarray(np.where(place < height, foam, 0.0))
@@ -220,7 +220,7 @@ def debris(foam: np.ndarray) -> np.ndarray:
     The density of weed across the beach is the same at all times.
     """
     place = FIRST + (np.arange(ACROSS) + 0.5) / ACROSS * (LAST - FIRST)
-    weed = 0.42 * np.exp(-np.square((place - WEED_AT) / 0.09))
+    weed = 0.25 * np.exp(-np.square((place - WEED_AT) / 0.09))
     weedy = place > 0.5 * (1.0 + WEED_AT)
     colour = np.where(weedy[:, None], WEED, COLOUR)
     density = np.where(weedy, weed, foam)

@@ -70,7 +70,7 @@ from landscape.gl.draw import level_square
 from landscape.gl.features import possible
 
 SHOAL = 0.15  # chosen: units of depth below which the relief fades out towards the beach
-SOFT = 6.0  # chosen: mip levels by which the mirrored sky is blurred, times water.ripples
+SOFT = 8.0  # chosen: mip levels by which the mirrored sky is blurred, times water.ripples
 
 
 def fog_depths(grid: EyeGrid, density: float, least: float, power: int) -> np.ndarray:

@@ -4,7 +4,7 @@ Technique: a texture over the whole map holds, for the depth there, a tint for t
 and, in alpha, how much of the bottom the water hides. The ground is then cut not at the water but
 SEEN below it. Where it is cut, a plane closes the sea; otherwise the background would show at steep
 coasts. With ``water.ripples`` the texture holds the sea's own colour instead of a tint: sand that
-shows through, turquoise, blue (drawn in ripples.py).
+shows through, green, dark blue (drawn in ripples.py).
 State used: texture unit 1 with GL_COMBINE (OpenGL 1.3).
 """
 
@@ -22,22 +22,22 @@ from landscape.gl.draw import level_square
 
 SEEN = 0.45  # chosen: units of depth below which no bottom shows through the water
 # Chosen: the sea by depth in units: how much of the bottom it hides, and its colour as factors of
-# that of the deep sea: sand that shows through, turquoise, blue.
+# that of the deep sea: sand that shows through, green, dark blue.
 DEPTHS = (0.0, 0.015, 0.05, 0.12, 0.25, 0.43)
 HIDING = (0.0, 0.18, 0.44, 0.74, 0.95, 1.0)
 COLOURS = np.array(
     [
-        (3.4, 2.25, 1.7),
-        (3.0, 2.2, 1.7),
-        (2.1, 2.05, 1.7),
-        (1.2, 1.75, 1.55),
-        (0.8, 1.25, 1.25),
-        (0.6, 0.95, 1.0),
+        (4.6, 3.0, 2.2),
+        (4.2, 2.9, 2.2),
+        (3.0, 2.4, 1.95),
+        (1.4, 1.5, 1.38),
+        (1.05, 1.16, 1.14),
+        (0.85, 0.97, 1.0),
     ]
 )
 CLEAR = 0.085  # chosen: units of depth that hide two thirds of the bottom
-TURQUOISE = np.array([1.05, 1.5, 1.3])  # chosen: times the water's colour where it is shallow
-FLOOR = (0.21, 0.39, 0.37)  # chosen: RGB of the sea floor; the ground has it where it is cut
+GREENER = np.array([1.35, 1.6, 1.35])  # chosen: times the water's colour where it is shallow
+FLOOR = (0.26, 0.30, 0.25)  # chosen: RGB of the sea floor; the ground has it where it is cut
 TEXELS = 512  # chosen: depths per side of the map
 
 
@@ -65,13 +65,13 @@ def depth_picture(depths: np.ndarray) -> np.ndarray:
     """Return depths (n, n) in units as a texture, uint8 (n, n, 4).
 
     Alpha is how much of the bottom the water hides. The colour is half of the factor that
-    multiplies the water's own: TURQUOISE at the edge, 1 in the deep. The border is opaque: it is
+    multiplies the water's own: GREENER at the edge, 1 in the deep. The border is opaque: it is
     clamped, and beyond it is the open sea.
     """
     depth = np.maximum(depths, 0.0)
     hidden = 1.0 - np.exp(-depth / CLEAR)
     hidden[[0, -1], :] = hidden[:, [0, -1]] = 1.0
-    tint = 1.0 + (TURQUOISE - 1.0) * np.exp(-depth / (3 * CLEAR))[..., None]
+    tint = 1.0 + (GREENER - 1.0) * np.exp(-depth / (3 * CLEAR))[..., None]
     picture = np.concatenate([np.clip(tint / 2, 0, 1), hidden[..., None]], axis=2)
     return np.ascontiguousarray(picture * 255 + 0.5, np.uint8)
 

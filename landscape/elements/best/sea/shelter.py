@@ -12,7 +12,10 @@ from PIL import Image
 TEXELS = 128  # chosen: points per side on which the lines are followed
 DIRECTIONS = 24  # chosen: lines from each point
 FETCH = 3.0  # chosen: units of open water in which the waves become as high as they get
-COVE, OPEN = 0.5, 0.9  # chosen: openness below which it is calmest, and above which it is open sea
+COVE, OPEN = (
+    0.62,
+    0.92,
+)  # chosen: openness below which it is calmest, and above which it is open sea
 CALMEST = 0.12  # chosen: fraction of the waves that is left in a cove
 
 

@@ -36,8 +36,8 @@ from landscape.elements import fog, sun
 from landscape.elements.best.sea.mirror_image import MirrorImage
 from landscape.elements.best.sea.mirror_pass import draw_mirror
 from landscape.elements.best.sea.waves import surface_normals, waves
-from landscape.elements.best.terrain.bed_light import PERIOD, REPEAT, SLANT
-from landscape.elements.caustic_film import MixedFilm, shipped
+from landscape.elements.best.terrain.bed_light import PERIOD, REPEAT, SLANT, sea_film
+from landscape.elements.caustic_film import MixedFilm
 from landscape.elements.element import Element, Site
 from landscape.elements.ground import Ground
 from landscape.elements.reflection import MIRROR
@@ -133,7 +133,7 @@ class UnderWater(Element[Settings]):
     def __init__(self, settings: Settings, assets: Assets, field: HeightField) -> None:
         """Read the film of caustics; the sea is as large as ``field``."""
         self.settings, self._level = settings, field.water_level
-        self._film = MixedFilm(shipped(assets))
+        self._film = MixedFilm(sea_film(assets))
         self._possible = possible("water.under")
         self._image = MirrorImage()
 

@@ -14,16 +14,18 @@ CLEARED = 0.94  # chosen: fraction of its opacity that the water loses at a graz
 # Chosen: waves as length in units, direction in radians (the wind blows to 0.5), and slope.
 WAVES = np.array(
     [
-        (2.30, 0.35, 0.012),
-        (1.45, 0.90, 0.016),
-        (0.95, 0.05, 0.022),
+        (2.30, 0.35, 0.022),
+        (1.45, 0.90, 0.024),
+        (0.95, 0.05, 0.026),
         (0.64, 1.35, 0.026),
         (0.43, -0.45, 0.030),
         (0.29, 0.75, 0.030),
         (0.20, 2.00, 0.028),
         (0.135, -0.15, 0.026),
         (0.092, 1.10, 0.024),
-        (0.061, -1.00, 0.020),
+        (0.061, -1.00, 0.024),
+        (0.041, 0.55, 0.024),
+        (0.028, -0.60, 0.024),
     ]
 )
 LENGTHS, STEEP = (WAVES[:, column].astype(np.float32)[:, None] for column in (0, 2))

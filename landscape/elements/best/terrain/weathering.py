@@ -28,7 +28,7 @@ WEED = (0.46, 0.40, 0.32)  # factor on sand under dry weed
 # Sand on the bed of shallow water: its colour, which wet.py will darken, and the units above the
 # water between which the painted bed turns to sand, and sand to the colour of the sea floor that
 # shallows.py draws below. Where it is steep, rock stays.
-BED, FLOOR = (235.0, 218.0, 178.0), (66.0, 146.0, 160.0)
+BED, FLOOR = (235.0, 218.0, 178.0), (82.0, 112.0, 106.0)
 BEDDED = (0.004, -0.012)
 DEEP_BED = (-0.08, -0.34)
 LOWEST = -0.5
