@@ -182,9 +182,15 @@ class Offscreen:
             self.send(opened, moment)
 
     def send(self, opened: OpenScene, moment: Moment) -> None:
-        """Send a moment of a scene that is open in this context, seen through its camera's lens."""
+        """Send a moment of a scene that is open in this context, seen through its camera's lens.
+
+        Edits find a call by its number in a frame that is drawn once, from the lens's middle.
+        """
         assert self._lens is not None
-        self._lens.draw(moment, opened.settings.camera, opened.draw)
+        if self._edits is None:
+            self._lens.draw(moment, opened.settings.camera, opened.draw)
+        else:
+            opened.draw(moment)
 
     @contextmanager
     def taped(
@@ -192,7 +198,8 @@ class Offscreen:
     ) -> Iterator[Tape]:
         """Record a frame of a view whole; in the block its picture and its context are at hand.
 
-        The scene is built anew, so that the recording has all its calls.
+        The scene is built anew, so that the recording has all its calls. It is seen from the middle
+        of the lens: a recording of a frame from each of its points would take gigabytes.
         """
         with self._current():
             assert self._target is not None
@@ -205,7 +212,8 @@ class Offscreen:
                     self._target.bind()
                     start = state.read()
                 begin = len(recorder.calls)
-                self.submit()
+                assert self.scene is not None
+                self.scene.draw(self.moment)
 
             with unnoted():
                 yield Tape(recorder.calls, begin, start, self.size, self.notices)

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from stage import SIZE, Stage, live_names, project
+from stage import SIZE, SMALL, Stage, live_names, project
 
 from framelens.gl import features
 from framelens.gl.seam import gl
 from landscape.elements.settings import Camera, Fog, Settings, Sun
 from landscape.frame import Frame, Pose, Tile
+from landscape.offscreen import Offscreen
 from landscape.scene.lens import Lens, axes, blur, points, through
 from landscape.scene.scene import Moment, begin_frame
 
@@ -164,3 +165,16 @@ def test_an_even_grey_stays_as_it_is(stage: Stage) -> None:
         begin_frame(moment, CAMERA, Sun(), Fog(color=(0.4, 0.4, 0.4)), fogged=False)
 
     assert np.abs(seen(stage, CAMERA, draw) - 0.4).max() <= 1 / 255
+
+
+def test_a_recording_is_seen_from_the_middle_of_the_lens() -> None:
+    ground = {**SMALL, "camera.lens": 0.05, "camera.focus": 0.1}
+    with Offscreen(SIZE, "2006", ground, samples=0, only="ground") as view:
+        with view.taped("fig4c") as tape:
+            assert [call.name for call in tape.frame].count("glClear") == 1
+        recorded, blurred = view.picture(tape.replay), view.draw()
+    with Offscreen(SIZE, "2006", SMALL, samples=0, only="ground") as view:
+        view.look("fig4c")
+        sharp = view.draw()
+    assert (recorded == sharp).all()
+    assert np.abs(sharp.astype(int) - blurred).max() > 8
