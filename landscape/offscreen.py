@@ -132,7 +132,7 @@ class Offscreen:
         """Open the scene as the view needs it, unless that one is already open."""
         preset = kind.preset_of(view) if self._preset is None else self._preset
         values = kind.values(preset, view.settings, self._given)
-        shown = kind.shown(view, self._only)
+        shown = kind.shown(view, self._only, values)
         wanted = kind.name, shown, values
         if self.scene is None or self._built_for != wanted:
             if not self._applied(kind, shown, values):

@@ -14,7 +14,7 @@ from landscape.elements.settings import Camera, Fog, Settings, Sun
 from landscape.frame import Frame, Pose, Tile
 from landscape.offscreen import Offscreen
 from landscape.scene.lens import Lens, axes, blur, points, through
-from landscape.scene.scene import Moment, begin_frame
+from landscape.scene.scene import Moment, begin_frame, find_view
 
 POSE = Pose(1.0, 2.0, 3.0, 40.0, -10.0)
 FOCUS, FAR = 0.5, 4.0
@@ -165,6 +165,16 @@ def test_an_even_grey_stays_as_it_is(stage: Stage) -> None:
         begin_frame(moment, CAMERA, Sun(), Fog(color=(0.4, 0.4, 0.4)), fogged=False)
 
     assert np.abs(seen(stage, CAMERA, draw) - 0.4).max() <= 1 / 255
+
+
+def test_a_photograph_has_neither_sword_nor_map() -> None:
+    island, view = find_view("close_peak")
+    values = island.values(None, view.settings)
+    assert values.camera.lens > 0
+    assert set(island.shown(view)) - set(island.shown(view, None, values)) == {"sword", "map"}
+    given = {"overlay.map_alpha": 0.5}
+    assert list(island.notices(view, None, given)) == ["overlay.map_alpha"]
+    assert island.notices(view, None, given, walking=True) == {}
 
 
 def test_a_recording_is_seen_from_the_middle_of_the_lens() -> None:

@@ -115,7 +115,7 @@ def look_at(kind: Scene, view: View, wanted: Wanted, flown: bool = False) -> Loo
     if wanted.drawing.rig == AROUND:
         changes = {**changes, "camera.fov": FOV}  # that of a face
     values = kind.values(preset, view.settings, changes)
-    shown = kind.shown(view, wanted.only)
+    shown = kind.shown(view, wanted.only, values)
     flown = flown or wanted.drawing.rig != ONE
     if flown and wanted.only is None:
         shown = tuple(name for name in shown if name not in kind.overlay)

@@ -278,7 +278,8 @@ class SceneOf(Generic[Values]):
     ) -> dict[str, str]:
         """Return a line for each given setting that changes nothing in a view, by key."""
         values = self.values(preset or self.preset_of(view), view.settings, given)
-        shown = (*self.shown(view, only), *([conditions.WALK] if walking else []))
+        drawn = self.shown(view, only, None if walking else values)
+        shown = (*drawn, *([conditions.WALK] if walking else []))
         return conditions.notices(values, given, shown, self.elements, self.slots, self.unread)
 
     def only(self, names: Iterable[str] | None) -> tuple[str, ...]:
@@ -296,9 +297,16 @@ class SceneOf(Generic[Values]):
                 )
         return tuple(name for name in self.elements if name in wanted)
 
-    def shown(self, view: View, only: Iterable[str] | None = None) -> tuple[str, ...]:
-        """Return the elements a view draws, of those in ``only``."""
-        allowed = self.only(only)
+    def shown(
+        self, view: View, only: Iterable[str] | None = None, values: Values | None = None
+    ) -> tuple[str, ...]:
+        """Return the elements a view draws, of those in ``only``.
+
+        With a lens in the ``values`` of a still, nothing is laid over it: a photograph has neither
+        sword nor map.
+        """
+        left_out = self.overlay if values is not None and values.camera.lens else ()
+        allowed = (name for name in self.only(only) if name not in left_out)
         return tuple(name for name in allowed if not view.shown or name in view.shown)
 
 
