@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from stage import SIZE, SMALL, Stage, live_names, project
 
+from framelens.base.errors import InputError
 from framelens.gl import features
 from framelens.gl.seam import gl
 from landscape.elements.settings import Camera, Fog, Settings, Sun
@@ -175,6 +176,13 @@ def test_a_photograph_has_neither_sword_nor_map() -> None:
     given = {"overlay.map_alpha": 0.5}
     assert list(island.notices(view, None, given)) == ["overlay.map_alpha"]
     assert island.notices(view, None, given, walking=True) == {}
+
+
+def test_a_picture_too_large_for_the_mean_is_refused() -> None:
+    lens = Lens((8192, 4096))
+    with pytest.raises(InputError, match=r"size 8192x4096: .* 16777216 pixels .*--poster"):
+        lens.draw(Moment(POSE, (8192, 4096)), CAMERA, lambda moment: None)
+    lens.draw(Moment(POSE, (8192, 4096)), Camera(), lambda moment: None)
 
 
 def test_a_recording_is_seen_from_the_middle_of_the_lens() -> None:

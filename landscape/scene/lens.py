@@ -23,6 +23,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from framelens.base.errors import InputError
 from framelens.gl.extensions import tell
 from framelens.gl.seam import drawing, gl
 from framelens.gl.state import attrib, flat_projection
@@ -35,6 +36,7 @@ from landscape.scene.scene import Moment
 
 FEWEST = 8  # chosen: points of the lens that are used where the blur is smaller than a pixel
 SPACING = 2.0  # chosen: pixels between the images of one thing from neighbouring points
+MOST = 4096 * 4096  # chosen: pixels of a picture: the mean takes 16 bytes each
 NEAREST = 0.1  # chosen: units: what is nearer may show that the points are few
 
 
@@ -94,7 +96,18 @@ class Lens:
         self._mean: TextureTarget | None = None
 
     def draw(self, moment: Moment, camera: Camera, draw: Callable[[Moment], None]) -> None:
-        """Let ``draw`` draw a moment, through the lens of a camera if it has one."""
+        """Let ``draw`` draw a moment, through the lens of a camera if it has one.
+
+        InputError if the framebuffer is too large for that.
+        """
+        if camera.lens and self.size[0] * self.size[1] > MOST:
+            raise InputError(
+                "size {width}x{height}: expected at most {most} pixels where camera.lens is not 0; "
+                "`landscape render --poster` draws larger pictures",
+                width=self.size[0],
+                height=self.size[1],
+                most=MOST,
+            )
         if not camera.lens or not self._opened():
             draw(moment)
             return
