@@ -11,7 +11,7 @@ from state_calls import CHANGES, Expected, Fresh, scrambled
 from test_backends import screen  # noqa: F401
 
 from framelens.gl.framebuffer import Framebuffer
-from framelens.gl.raw import raw
+from framelens.gl.raw import end_primitive, raw
 from framelens.gl.seam import gl, recording
 from framelens.state.state import DEFAULTS, StateError, changed, difference, read, restore
 
@@ -292,6 +292,11 @@ def test_restoring_closes_what_half_a_frame_leaves_open(fresh: Fresh) -> None:
     restore(state)
     assert read() == state
     assert int(gl.glGetError()) == 0
+    # Between glBegin and glEnd PyOpenGL asks for no errors; now it must again.
+    from OpenGL.error import GLError
+
+    with pytest.raises(GLError, match="invalid enumerant"):
+        gl.glEnable(0)
 
 
 def test_pushes_that_are_missing_are_made_and_save_nothing(fresh: Fresh) -> None:
@@ -316,8 +321,7 @@ def test_the_state_is_not_read_inside_a_primitive_or_a_display_list(fresh: Fresh
     gl.glBegin(gl.GL_POINTS)
     with pytest.raises(StateError, match="between glBegin and glEnd"):
         read()
-    raw.glEnd()
-    raw.glGetError()
+    end_primitive()
 
 
 def test_framebuffers_are_bound_again_with_their_buffers(fresh: Fresh) -> None:

@@ -66,6 +66,19 @@ def _declared(name: str) -> Any:
 raw: Any = Raw()
 
 
+def end_primitive() -> None:
+    """End a glBegin whose glEnd will not come through PyOpenGL, and drop the error if none is open.
+
+    Between the two PyOpenGL does not ask for errors: without being told, it never would again.
+    """
+    from OpenGL.raw.GL import _errors
+
+    raw.glEnd()
+    raw.glGetError()
+    if _errors._error_checker:
+        _errors._error_checker.onEnd()
+
+
 def raw_function(name: str) -> Callable[..., Any]:
     """Return a function whose name is data; AttributeError if there is none of this name."""
     return getattr(raw, name)  # type: ignore[no-any-return]

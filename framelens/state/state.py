@@ -26,7 +26,7 @@ framebuffers. They are bound by their names, and must exist where a state is res
 
 from collections.abc import Mapping, Sequence
 
-from framelens.gl.raw import raw, raw_function
+from framelens.gl.raw import end_primitive, raw, raw_function
 from framelens.spec.spec import parsed
 from framelens.state.state_reading import State, StateError, Values, plan, read_now, whole
 from framelens.state.state_setting import apply
@@ -177,7 +177,7 @@ def _close() -> None:
     try:
         plan()
     except StateError:
-        raw.glEnd()
+        end_primitive()
         raw.glEndList()
     _drop_errors()
     plan()

@@ -6,7 +6,7 @@ Afterwards the whole frame is drawn once more, so that its context is as it was.
 import re
 
 from framelens.base.errors import InputError, short
-from framelens.gl.raw import raw
+from framelens.gl.raw import end_primitive
 from framelens.gl.seam import Call
 from framelens.state.state import State, StateError, difference, read
 from framelens.tape.steps import find, issue, steps
@@ -40,8 +40,7 @@ class Pushed:
         try:
             state = read()
         except StateError:  # between glBegin and glEnd: what the calls there set, they have set
-            raw.glEnd()
-            raw.glGetError()
+            end_primitive()
             state = read()
         depths = [state[f"{stack}_DEPTH"] for stack in OPEN]
         if not any(depths) or depths != [len(masks) for masks in self._masks]:
