@@ -90,7 +90,7 @@ class Lens:
     """Owner of the textures that the mean takes; they are made when first needed."""
 
     def __init__(self, size: tuple[int, int]) -> None:
-        """Create nothing yet; ``size`` is that of the framebuffer, in pixels."""
+        """Create nothing yet; ``size`` is the framebuffer's width and height in pixels."""
         self.size = size
         self._one: TextureTarget | None = None  # the picture from one point of the lens
         self._mean: TextureTarget | None = None

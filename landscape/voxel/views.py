@@ -64,7 +64,7 @@ VARIANTS = (
     ),
     View(
         "voxel_murk",
-        "under water one sees a few steps far",
+        "under water the view ends after a few steps",
         Pose(13.0, 0.6, 34.0, 345.0, 0.0),
         20.0,
         settings={"water.sight": 20.0},
@@ -84,7 +84,7 @@ PLACES = (
     View("voxel_cliff", "the mountain and its beacon", Pose(9.0, 3.6, 16.5, 15.0, 5.0), 20.0),
     View(
         "voxel_water",
-        "through clear water one sees the ground, in it the shore",
+        "clear water shows the ground below and mirrors the shore",
         OVER_SHORE,
         20.0,
     ),

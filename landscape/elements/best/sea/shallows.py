@@ -22,7 +22,7 @@ from landscape.gl.draw import level_square
 
 SEEN = 0.45  # chosen: units of depth below which no bottom shows through the water
 # Chosen: the sea by depth in units: how much of the bottom it hides, and its colour as factors of
-# that of the deep sea: sand that shows through, green, dark blue.
+# the colour of the deep sea: sand shows through at first, then it is green, then dark blue.
 DEPTHS = (0.0, 0.015, 0.05, 0.12, 0.25, 0.43)
 HIDING = (0.0, 0.18, 0.44, 0.74, 0.95, 1.0)
 COLOURS = np.array(
