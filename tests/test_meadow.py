@@ -15,14 +15,19 @@ from landscape.elements.best.meadow.facing import facing, facing_plain
 from landscape.elements.best.meadow.growth import Growth
 from landscape.elements.best.meadow.meadow import Meadow
 from landscape.elements.best.meadow.refined_blades import (
+    ARRAYS,
     DENSE,
     NEAR,
+    NOTHING,
     Patch,
     arched,
     blade_tints,
     count_at,
     nearness,
+    packed,
+    showing,
 )
+from landscape.elements.best.meadow.rows import Rows, spans
 from landscape.elements.grass import Blades, Grass, bent, blade_corners, blade_vertices, blade_wind
 from landscape.elements.grass_cells import CELL
 from landscape.elements.ground import Ground
@@ -37,6 +42,17 @@ def growth(**changes: Any) -> Growth:
     """Return how a meadow grows on the flat land."""
     grey = np.full(3, 0.4)
     return Growth(grass_settings(**changes), flat(), 7, (grey, grey))
+
+
+def patch_of(grown: Growth, cell: int, wanted: int | None = None) -> Patch:
+    """Return at least the first ``wanted`` blades of a cell, or all."""
+    least = int(grown.counts[cell]) if wanted is None else wanted
+    return grown.blades(grown.sown([cell], [least]))
+
+
+def same(one: Patch, other: Patch) -> bool:
+    """Return whether two patches hold the same blades."""
+    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in ARRAYS)
 
 
 @pytest.fixture
@@ -67,10 +83,27 @@ def test_arch_multiplies_the_bend_of_the_tip_and_moves_the_shoulders_a_third_as_
 
 
 def test_a_blade_is_darker_at_its_foot() -> None:
-    tints = blade_tints(np.array([(0.2, 0.4, 0.1)]), np.ones(1))[0].astype(float)
-    assert (tints[:2] < 0.9 * tints[4]).all()
-    assert (tints[0] == tints[1]).all() and (tints[2] == tints[4]).all()
-    assert tints[4, 1] / tints[4, 0] == pytest.approx(2.0, abs=0.05)
+    foot, above = blade_tints(np.array([(0.2, 0.4, 0.1)]), np.ones(1))
+    assert (foot < 0.9 * above).all()
+    assert above[0, 1] / above[0, 0] == pytest.approx(2.0)
+    tints = np.stack([packed(colours.T) for colours in (foot, above)], axis=1)
+    (drawn,) = replace(NOTHING, tints=tints).colours()
+    assert (drawn[:2, :3] == np.uint8(255 * foot)).all() and (drawn[..., 3] == 255).all()
+    assert (drawn[2:, :3] == np.uint8(255 * above)).all()
+
+
+def test_rows_grow_and_keep_what_is_in_them() -> None:
+    rows = Rows(place=np.empty((0, 2)), number=np.empty(0, int))
+    for k in range(5):
+        rows.add(3, number=np.arange(3) + 10 * k)
+        rows["place"][3 * k :] = k
+    assert rows.count == 15 and rows["number"].tolist()[3:6] == [10, 11, 12]
+    assert rows.take("place", np.array([2, 14])).tolist() == [[0, 0], [4, 4]]
+    rows.keep(np.array([14, 3]))
+    assert rows["number"].tolist() == [42, 10] and rows["place"].shape == (2, 2)
+    rows.add(1, number=np.array([7]))
+    assert rows.count == 3 and rows["number"].tolist() == [42, 10, 7]
+    assert spans(np.array([7, 20, 9]), np.array([3, 0, 2])).tolist() == [7, 8, 9, 9, 10]
 
 
 def test_a_sparse_meadow_is_thinned_out_farther_away_and_still_shows_fewer_blades() -> None:
@@ -143,34 +176,35 @@ def test_tinted_grass_keeps_to_green_ground_and_takes_its_colour() -> None:
     grown = growth(tinted=True, count=20_000)
     counts = grown.counts.reshape(80, 80)
     assert counts[:, 40:].sum() == 0 and counts[:, :40].sum() == 20_000
-    tints = grown.patch(805).tints
+    tints = patch_of(grown, 805).colours()
     assert (tints[..., 1] > tints[..., 0]).all() and (tints[..., 3] == 255).all()
 
 
 def test_tinted_blades_in_the_shadow_are_darker() -> None:
     grown = growth(tinted=True)
-    north, south = (grown.patch(row * 80 + 20) for row in (20, 60))
-    assert south.tints[..., 1].mean() == pytest.approx(0.5 * north.tints[..., 1].mean(), rel=0.1)
+    north, south = (patch_of(grown, row * 80 + 20).colours() for row in (20, 60))
+    assert south[..., 1].mean() == pytest.approx(0.5 * north[..., 1].mean(), rel=0.1)
 
 
 def test_blades_grow_in_tufts_that_lean_apart() -> None:
-    patch = growth(**LUSH).patch(3210)
+    patch = patch_of(growth(**LUSH), 3210)
     spread = patch.positions[:7, ::2] - patch.positions[:7, ::2].mean(axis=0)
     assert np.abs(spread).max() < 0.02
-    tips = patch.vertices[:, 4, ::2] - patch.positions[:, ::2]
-    loose = growth(**{**LUSH, "tufts": 0}).patch(3210)
+    loose = patch_of(growth(**{**LUSH, "tufts": 0}), 3210)
     spread = loose.positions[:7, ::2] - loose.positions[:7, ::2].mean(axis=0)
     assert np.abs(spread).max() > 0.05
+    tips = patch.vertices[:, 4, ::2] - patch.positions[:, ::2]
     assert np.linalg.norm(tips, axis=1).min() > 0.003
 
 
 def test_a_cell_grows_the_same_blades_far_away_as_close_up() -> None:
     far, near = growth(**{**LUSH, "count": 2_000_000}), growth(**{**LUSH, "count": 2_000_000})
-    whole = near.patch(3210)
-    first = far.patch(3210, 40)
-    assert 40 <= len(first.vertices) < len(whole.vertices) == near.counts[3210]
-    assert (first.vertices == whole.vertices[: len(first.vertices)]).all()
-    assert (far.patch(3210).vertices == whole.vertices).all()
+    whole = patch_of(near, 3210)
+    first = patch_of(far, 3210, 40)
+    count = len(first.ranges)
+    assert 40 <= count < len(whole.ranges) == near.counts[3210]
+    assert (first.vertices == whole.vertices[:count]).all()
+    assert same(patch_of(far, 3210), whole)
 
 
 def test_a_cell_with_few_places_to_grow_uses_the_places_found(
@@ -178,14 +212,15 @@ def test_a_cell_with_few_places_to_grow_uses_the_places_found(
 ) -> None:
     monkeypatch.setattr(growth_module, "places_in_cells", lambda *a: [np.full((3, 2), 20.1)])
     grown = growth(**LUSH)
-    assert len(grown.patch(3240).vertices) == grown.counts[3240] == 21
+    assert len(patch_of(grown, 3240).ranges) == grown.counts[3240] == 21
 
 
 def test_variety_makes_heights_and_colours_differ() -> None:
     def spread(variety: float) -> tuple[float, float]:
-        patch = growth(tinted=True, **{**LUSH, "variety": variety}).patch(3210)
+        patch = patch_of(growth(tinted=True, **{**LUSH, "variety": variety}), 3210)
+        red, green, _, _ = patch.colours()[:, 4].T
         heights = patch.vertices[:, 4, 1] - patch.positions[:, 1]
-        return float(heights.std()), float((patch.tints[:, 4, 0] / patch.tints[:, 4, 1]).std())
+        return float(heights.std()), float((red / green).std())
 
     plain, varied = spread(0.0), spread(1.0)
     assert varied[0] > 1.3 * plain[0] and varied[1] > 5 * plain[1]
@@ -196,17 +231,15 @@ def test_cells_long_unused_are_dropped_and_regrow_identically(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     grown = growth(fade=True)
-    first, counts = [grown.patch(cell) for cell in range(6400)], grown.counts.copy()
+    first, counts = [patch_of(grown, cell) for cell in range(6400)], grown.counts.copy()
     assert grown.grown == 50_000
     monkeypatch.setattr(growth_module, "LEAST", 1000)
     grown.forget(in_view=0)
-    assert 900 < grown.grown <= 1000
-    assert grown.patch(6399) is first[6399], "the last used stay"
-    some = range(0, 6400, 8)
-    again = [grown.patch(cell) for cell in some]
-    assert grown.patch(0) is not first[0]
-    for cell, patch in zip(some, again, strict=True):
-        assert np.array_equal(first[cell].vertices, patch.vertices)
+    assert 400 < grown.grown <= 500
+    assert list(grown._cells)[-1] == 6399 and 0 not in grown._cells, "the last used stay"
+    for cell in range(0, 6400, 8):
+        assert same(first[cell], patch_of(grown, cell))
+    assert same(first[6399], patch_of(grown, 6399))
     assert np.array_equal(grown.counts, counts)
 
 
@@ -220,11 +253,11 @@ def test_a_dropped_cell_with_fewer_blades_than_its_share_regrows_identically(
     monkeypatch.setattr(growth_module, "LEAST", 0)
     grown = growth(fade=True, count=500_000)
     share = grown.counts[3240]
-    first = grown.patch(3240)
-    assert len(first.positions) == grown.counts[3240] == 30 < share
+    first = patch_of(grown, 3240)
+    assert len(first.ranges) == grown.counts[3240] == 30 < share
     grown.forget(in_view=0)
-    again = grown.patch(3240)
-    assert again is not first and (again.ranges == first.ranges).all()
+    assert grown.grown == 0
+    assert same(patch_of(grown, 3240), first)
 
 
 @pytest.mark.parametrize("fade", [True, False])
@@ -232,11 +265,13 @@ def test_cells_that_grow_together_grow_as_they_do_one_by_one(fade: bool) -> None
     together, alone = (growth(**{**LUSH, "fade": fade, "count": 2_000_000}) for _ in range(2))
     cells = [3210, 3211, 3290, 3291]
     for wanted in ([40, 300, 0, 130], [40, 5000, 70, 200]):
-        for cell, least, patch in zip(cells, wanted, together.patches(cells, wanted), strict=True):
-            one = alone.patch(cell, least)
-            assert len(patch.positions) >= min(least, together.counts[cell])
-            for name in ("positions", "vertices", "tints", "ranges"):
-                assert (getattr(patch, name) == getattr(one, name)).all()
+        both = together.blades(together.sown(cells, wanted))
+        singly = [patch_of(alone, *each) for each in zip(cells, wanted, strict=True)]
+        for least, cell, one in zip(wanted, cells, singly, strict=True):
+            assert len(one.ranges) >= min(least, together.counts[cell])
+        for name in ARRAYS:
+            joined = np.concatenate([getattr(one, name) for one in singly])
+            assert np.array_equal(getattr(both, name), joined)
     assert together.grown == alone.grown and (together.counts == alone.counts).all()
 
 
@@ -275,12 +310,12 @@ def test_with_fade_far_cells_are_thinned_and_far_blades_shrink(sow) -> None:
     patch = meadow.select(frame)
     vertices, places = meadow.bend(frame, patch), patch.positions
     away = np.hypot(places[:, 0] - 20, places[:, 2] - 20)
-    ranges, still = np.minimum(patch.ranges, 4.0), patch.vertices[:, 4, 1] - 3.0
-    left = (vertices[:, 4, 1] - 3.0) / still
+    ranges, tall = np.minimum(patch.ranges, 4.0), patch.vertices[:, 4, 1] - 3.0
+    left = (vertices[:, 4, 1] - 3.0) / tall
     # Whole up to three quarters of its range, then down to nothing at its end.
     assert np.allclose(left, np.clip((ranges - away) / (ranges / 4), 0.0, 1.0), atol=1e-3)
     assert (left[away < 0.2] > 0.99).all() and left.min() < 0.2
-    assert (away > 2.0).any() and still.min() > 0.005
+    assert (away > 2.0).any() and tall.min() > 0.005
     cell = 34 * 80 + 40
     whole = growth(fade=True, count=2_000_000).counts[cell]
     middle = np.array([(cell % 80 + 0.5) * CELL, (cell // 80 + 0.5) * CELL])
@@ -303,10 +338,9 @@ def test_a_reused_selection_shows_what_a_new_one_would(sow, fade: bool) -> None:
         pose = Pose(20.0 + 0.01 * step, 3.1, 20.0 - 0.01 * step, 10.0 + 0.5 * step, -5.0)
         frame = looking(pose, kt=3.0 * step)
         assert (meadow.choice(frame) is kept) == (fade and step <= 4)
-        plain = other.select(frame)
-        assert shown(other, frame, plain) <= shown(meadow, frame, meadow.choice(frame))
+        drawn = meadow._growth.blades(meadow.choice(frame))
+        assert shown(other, frame, other.select(frame)) <= shown(meadow, frame, drawn)
         if fade:
-            drawn = meadow.choice(frame)
             away = np.hypot(drawn.positions[:, 0] - pose.x, drawn.positions[:, 2] - pose.z)
             flat = np.ptp(meadow.bend(frame, drawn)[..., 1], axis=1) == 0
             assert flat[away > np.minimum(drawn.ranges, 4.0)].all()
@@ -331,45 +365,60 @@ DENSE_MEADOW: dict[str, Any] = {"fade": True, "tufts": 6, "sward": True, "count"
 
 
 @pytest.mark.seldom(13, first=7)
-def test_close_up_layers_grow_only_in_the_squares_that_are_near(
-    sow, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """They show the same blades as if they had grown in their whole cells."""
-    in_squares, whole = (sow(**DENSE_MEADOW) for _ in range(2))
+def test_only_tufts_that_are_seen_take_shape(sow) -> None:
+    """They show the same blades as if all that is sown had grown."""
+    seen, whole = (sow(**DENSE_MEADOW) for _ in range(2))
     poses = [Pose(20.0, 3.1, 20.0), Pose(20.15, 3.1, 20.02, 40.0), Pose(20.3, 3.1, 20.2, 130.0)]
-    drawn = [in_squares.select(looking(pose), 0.09, 0.1) for pose in poses]
-    monkeypatch.setattr("landscape.elements.best.meadow.meadow.FAR_LAYERS", 10**9)
-    for pose, patch in zip(poses, drawn, strict=True):
-        other = whole.select(looking(pose), 0.09, 0.1)
-        assert len(patch.positions) > 5_000
-        assert sorted(map(bytes, patch.vertices)) == sorted(map(bytes, other.vertices))
-        assert sorted(map(bytes, patch.tints)) == sorted(map(bytes, other.tints))
+    for pose in poses:
+        frame = looking(pose)
+        patch = seen.seen(frame, seen.choice(frame))
+        whole.choice(frame)
+        grown = whole._growth.blades(np.arange(whole._growth.tufts.count))
+        ranges = whole._shortened(frame, grown.ranges)
+        kept = showing(frame, grown.places, ranges, grown.sizes, whole._widening)
+        assert len(patch.positions) > 2_000
+        drawn = {blade.tobytes() for blade in whole.bend(frame, grown)[kept]}
+        assert {blade.tobytes() for blade in seen.bend(frame, patch)} == drawn
 
-    # What has taken shape: cells have up to 3,750 blades, 1,024 of them everywhere.
-    shaped = [
-        sum(len(patch.positions) for patch in cell.parts.values())
-        for cell in in_squares._growth._cells.values()
-    ]
-    grown_whole = sum(len(cell.patch.positions) for cell in whole._growth._cells.values())
-    assert 0 < sum(shaped) < grown_whole / 4
+    shaped, sown = seen._growth.tufts["shaped"], seen._growth.tufts["blades"]
+    assert 0 < sown[shaped].sum() < sown.sum() / 2
 
 
-def test_dropped_squares_grow_again_as_they_were(sow, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("changes", [LUSH, {"fade": True, "arch": 4.0, "tufts": 5}, {"tufts": 3}])
+@pytest.mark.parametrize("sward", [True, False])
+def test_no_blade_is_larger_than_its_tuft_is_said_to_be(
+    changes: dict[str, Any], sward: bool
+) -> None:
+    grown = growth(**{**changes, "sward": sward, "count": 2_000_000})
+    tufts = grown.sown([3210, 3211], [200, 300])
+    patch = grown.blades(tufts)
+    counts, tops = grown.tufts.take("blades", tufts), grown.tufts.take("sizes", tufts)
+    assert (patch.sizes <= np.repeat(tops, counts) * 1.0001).all()
+    assert patch.sizes.max() > 0.3 * tops.max()
+    apart = np.linalg.norm(patch.vertices - patch.positions[:, None], axis=2).max(axis=1)
+    assert np.allclose(apart, patch.sizes, rtol=0, atol=1e-5)
+    roots = np.repeat(grown.tufts.take("places", tufts), counts, axis=0)
+    aside = np.hypot(*(patch.positions - roots)[:, ::2].T)
+    assert (aside <= grown.tuft_radius + 1e-5).all()
+    assert (patch.ranges <= np.repeat(grown.tufts.take("ranges", tufts), counts)).all()
+
+
+def test_dropped_tufts_grow_again_as_they_were(sow, monkeypatch: pytest.MonkeyPatch) -> None:
     meadow, frame = sow(**DENSE_MEADOW), looking(NORTH)
     first = meadow.select(frame)
     monkeypatch.setattr(growth_module, "LEAST", 0)
     monkeypatch.setattr(growth_module, "KEPT", 0)
     meadow._growth.forget(in_view=0)
     assert meadow._growth.grown == 0
-    assert (meadow.select(frame).vertices == first.vertices).all()
+    assert same(meadow.select(frame), first)
 
 
 def test_what_is_not_sent_does_not_show(sow) -> None:
     """Of a choice with a margin, what has sunk or is beside the picture is left out."""
     meadow, frame = sow(**DENSE_MEADOW), looking(NORTH)
-    chosen = meadow.select(frame, 0.09, 0.1)
-    sent = meadow.seen(frame, chosen)
-    assert 1_000 < len(sent.positions) < 0.8 * len(chosen.positions)
+    tufts = meadow.choose(frame, 0.09, 0.1)
+    chosen, sent = meadow._growth.blades(tufts), meadow.seen(frame, tufts)
+    assert 1_000 < len(sent.ranges) < 0.8 * len(chosen.ranges)
     others = shown(meadow, frame, chosen) - shown(meadow, frame, sent)
     corners = np.array([np.frombuffer(blade, np.float32).reshape(5, 3) for blade in others])
     away = corners - frame.eye
@@ -390,8 +439,7 @@ def test_what_is_sent_and_its_order_do_not_depend_on_the_frame_before(sow) -> No
     assert chosen is used.choice(first), "the choice serves both"
     one, other = used.seen(frame, chosen), fresh.seen(frame, fresh.choice(frame))
     assert len(one.positions) > 1_000
-    assert np.array_equal(one.vertices, other.vertices)
-    assert np.array_equal(one.tints, other.tints)
+    assert same(one, other)
 
 
 def test_a_coarser_frame_has_all_near_blades_and_no_farther_ones_than_one_sees(sow) -> None:
@@ -402,7 +450,7 @@ def test_a_coarser_frame_has_all_near_blades_and_no_farther_ones_than_one_sees(s
     # A blade of 0.02 units is 4 pixels high there, each of which is two of the window.
     pixels = 180 / np.tan(np.radians(whole.fov / 2)) * 0.02 / meadow.reach(coarser)
     assert pixels == pytest.approx(8.0)
-    near, all_of = meadow.seen(coarser, meadow.select(coarser)), meadow.select(whole)
+    near, all_of = meadow.select(coarser), meadow.select(whole)
     away = np.hypot(near.positions[:, 0] - 20, near.positions[:, 2] - 20)
     every = np.hypot(all_of.positions[:, 0] - 20, all_of.positions[:, 2] - 20)
     reach = meadow.reach(coarser)
@@ -444,7 +492,7 @@ def test_settings_read_each_frame_can_be_applied_and_built_in_ones_cannot(sow) -
     meadow, frame = sow(facing=0.6), looking(NORTH)
 
     def drawn() -> np.ndarray:
-        return meadow.bend(frame, meadow.choice(frame))
+        return meadow.bend(frame, meadow.seen(frame, meadow.choice(frame)))
 
     before = drawn()
     for key, value in (

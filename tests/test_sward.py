@@ -22,6 +22,7 @@ from landscape.elements.best.meadow.sward import (
     GREEN_KINDS,
     LOOKS,
     STANDING,
+    TALLEST,
     WIDEST,
     card_corners,
     card_scale,
@@ -30,10 +31,10 @@ from landscape.elements.best.meadow.sward import (
     kinds_at,
     mean_colours,
     off_trail,
+    places_at,
     raised,
     slimmed,
     sward_levels,
-    tallness,
     texture_coordinates,
 )
 from landscape.elements.settings import preset
@@ -82,7 +83,7 @@ def places(count: int) -> tuple[np.ndarray, np.ndarray]:
 
 def test_a_cards_picture_is_not_bent_at_its_diagonals() -> None:
     kinds = np.arange(len(LOOKS))
-    cards = card_corners(np.zeros(len(kinds)), kinds, np.zeros(len(kinds)))
+    cards = card_corners(np.zeros(len(kinds)), kinds, np.zeros(len(kinds))).transpose(2, 0, 1)
     for card, coordinates in zip(cards, texture_coordinates(), strict=True):
         # One affine function of width and height gives all five coordinates.
         terms = np.column_stack([card[:, :2], np.ones(5)])
@@ -131,8 +132,9 @@ def test_the_blades_of_a_sheaf_are_fine_and_have_gaps_between_them(shipped: Asse
 def test_without_flowers_none_grow_and_with_them_they_stand_in_drifts() -> None:
     x, z = places(60_000)
     draw, bold = np.random.default_rng(4).random(60_000), np.ones(60_000)
-    assert kinds_at(x, z, np.arange(60_000), draw, bold, 0.0).max() < STANDING
-    flowers = kinds_at(x, z, np.arange(60_000), draw, bold, 0.1) >= STANDING
+    weights, tuft = places_at(x, z).weights, np.arange(60_000)
+    assert kinds_at(weights, tuft, draw, bold, 0.0).max() < STANDING
+    flowers = kinds_at(weights, tuft, draw, bold, 0.1) >= STANDING
     assert 0.005 < flowers.mean() < 0.1
     squares = (x // 1).astype(int) * 40 + (z // 1).astype(int)
     share = np.bincount(squares, flowers) / np.maximum(np.bincount(squares), 1)
@@ -141,9 +143,9 @@ def test_without_flowers_none_grow_and_with_them_they_stand_in_drifts() -> None:
 
 def test_of_the_cards_seen_from_far_away_more_are_flowers() -> None:
     x, z = places(60_000)
-    draw = np.random.default_rng(4).random(60_000)
+    draw, weights = np.random.default_rng(4).random(60_000), places_at(x, z).weights
     near, far = (
-        (kinds_at(x, z, np.arange(60_000), draw, np.full(60_000, bold), 0.05) >= STANDING).mean()
+        (kinds_at(weights, np.arange(60_000), draw, np.full(60_000, bold), 0.05) >= STANDING).mean()
         for bold in (1, 3)
     )
     assert far > 1.8 * near
@@ -151,11 +153,13 @@ def test_of_the_cards_seen_from_far_away_more_are_flowers() -> None:
 
 def test_several_kinds_grow_everywhere_and_the_grass_is_low_on_the_trails() -> None:
     x, z = places(60_000)
-    kinds = kinds_at(
-        x, z, np.arange(60_000), np.random.default_rng(4).random(60_000), np.ones(60_000), 0.1
-    )
+    places_there = places_at(x, z)
+    draw, tuft = np.random.default_rng(4).random(60_000), np.arange(60_000)
+    kinds = kinds_at(places_there.weights, tuft, draw, np.ones(60_000), 0.1)
     assert np.bincount(kinds, minlength=16).min() > 20
-    beside, on = tallness(x, z)[off_trail(x, z) == 1], tallness(x, z)[off_trail(x, z) == 0]
+    trail, tall = off_trail(x, z), places_there.tall
+    assert tall.max() <= TALLEST
+    beside, on = tall[trail == 1], tall[trail == 0]
     assert 100 < len(on) < len(beside) / 5 and on.mean() < 0.6 * beside.mean()
 
 
@@ -200,7 +204,7 @@ def test_no_card_is_seen_edge_on(sow) -> None:
 
 def test_flowers_keep_their_own_colour_and_green_cards_take_the_grounds(sow) -> None:
     patch = sow().select(looking(NORTH))
-    tints = patch.tints[:, 4, :3].astype(float)
+    tints = patch.colours()[:, 4, :3].astype(float)
     own = patch.kinds >= GREEN_KINDS
     assert np.ptp(tints[own], axis=1).max() <= 1
     green = tints[patch.kinds == 0] * mean_colours(np.zeros((512, 1024, 4), np.uint8)).mean()

@@ -28,18 +28,16 @@ from framelens.gl.seam import gl
 from framelens.gl.state import attrib, client_arrays, multiply
 from framelens.gl.texture import Texture
 from landscape.elements.best.meadow.facing import facing
-from landscape.elements.best.meadow.growth import FAR_LAYERS, Growth
+from landscape.elements.best.meadow.growth import Growth
 from landscape.elements.best.meadow.gusts import gusts
 from landscape.elements.best.meadow.refined_blades import (
-    NOTHING,
     Patch,
     count_at,
-    in_range,
-    joined,
     nearest_first,
     shortened,
     showing,
     widened,
+    wider_by,
 )
 from landscape.elements.best.meadow.sward import (
     CARD_HEIGHT,
@@ -160,7 +158,7 @@ class Meadow(Element[Settings]):
             self._widening = most_widened(self._growth.near * WIDE_FROM)
         self._texture = Texture(levels, repeat=False, trilinear=trilinear)
         self._in_view = 0
-        self._chosen: Patch | None = None
+        self._chosen: np.ndarray | None = None
         self._chosen_for: Frame | None = None
         self._indices = np.empty(0, np.uint32)
 
@@ -177,13 +175,21 @@ class Meadow(Element[Settings]):
         tall = self._height * grass.scale[1] * pixels
         return min(grass.radius, tall / (LEAST_PIXELS * coarser))
 
-    def select(self, frame: Frame, margin: float = 0.0, angle: float = 0.0) -> Patch:
-        """Return what to draw: the visible cells' blades, the far cells' thinned out.
+    def select(self, frame: Frame) -> Patch:
+        """Return the blades that show in a frame, the nearest first: the plain form.
 
-        With ``margin`` units and ``angle`` radians, all that is to be drawn until the eye has moved
-        and turned that far. Without, it is the plain form of :meth:`choice`.
+        A walk chooses tufts for several frames, see :meth:`choice`.
+        """
+        return self.seen(frame, self.choose(frame))
+
+    def choose(self, frame: Frame, margin: float = 0.0, angle: float = 0.0) -> np.ndarray:
+        """Return the rows (t,) of the tufts that may show, see :class:`growth.Growth`.
+
+        With ``margin`` units and ``angle`` radians, of all that may until the eye has moved and
+        turned that far. With ``grass.fade`` far cells are thinned out.
         """
         growth, grass = self._growth, self.settings.grass
+        self._chosen = None  # rows change
         growth.forget(self._in_view)
         radius = self.reach(frame)
         cells = cells_around(frame.pose.x, frame.pose.z, radius + margin, growth.across)
@@ -198,40 +204,55 @@ class Meadow(Element[Settings]):
             counts = count_at(
                 growth.shared[numbers], growth.near, nearest, frame.detail.grass, growth.thinning
             )
-
-        # With fade, what is beyond the first layers grows only where it is near.
-        wanted = (np.minimum(counts, FAR_LAYERS) if grass.fade else counts).tolist()
-        patches = growth.patches(numbers.tolist(), wanted)
+        tufts = growth.sown(numbers.tolist(), counts.tolist())
         if grass.fade:
-            parts = growth.parts(frame, numbers[counts > FAR_LAYERS], radius, margin, angle)
-            patches += parts
-            wanted += [len(part.positions) for part in parts]
+            tufts = self._showing(frame, tufts, margin, angle)
+        blades = int(growth.tufts.take("blades", tufts).sum())
+        self._in_view = round(blades / frame.detail.grass)
+        return tufts
 
-        whole = joined(patches, wanted) if patches else NOTHING
-        if grass.fade:
-            kept = in_range(frame, whole, radius, self._widening, margin, angle, growth.thinning)
-            whole = whole.only(kept)
-            if frame.detail.grass < 1.0:
-                whole = widened(whole, frame.detail.grass)
+    def _showing(
+        self, frame: Frame, tufts: np.ndarray, margin: float = 0.0, angle: float = 0.0
+    ) -> np.ndarray:
+        """Return those of some tufts, given by their rows, of which a blade may show."""
+        rows, apart = self._growth.tufts, self._growth.tuft_radius
+        places, ranges, sizes = (rows.take(name, tufts) for name in ("places", "ranges", "sizes"))
+        # Blades stand beside the root, and on a slope above or below it.
+        margin += apart
+        sizes += apart
+        return tufts[self._found(frame, places, ranges, sizes, margin, angle)]
 
-        self._in_view = round(len(whole.positions) / frame.detail.grass)
-        return whole
+    def _found(
+        self,
+        frame: Frame,
+        places: np.ndarray,
+        ranges: np.ndarray,
+        sizes: np.ndarray,
+        margin: float = 0.0,
+        angle: float = 0.0,
+    ) -> np.ndarray:
+        """Return what :func:`showing` does of places (n, 3), with ranges and sizes as drawn."""
+        fraction = frame.detail.grass
+        if fraction < 1.0:
+            sizes = sizes * wider_by(fraction)
+        ranges, across = self._shortened(frame, ranges), np.ascontiguousarray(places.T)
+        return showing(frame, across, ranges, sizes, self._widening, margin, angle)
 
-    def choice(self, frame: Frame) -> Patch:
-        """Return what to draw in a frame: the last choice, while the eye stays near.
+    def choice(self, frame: Frame) -> np.ndarray:
+        """Return the tufts of a frame: the last choice, while the eye stays near.
 
-        It was made with a margin, so it has some blades too many. They change no pixel: they are
-        outside the window, or have sunk into the ground. Without ``grass.fade`` no blade sinks at
-        the end of its range, so each position of the eye needs its own choice.
+        It was made with a margin, so it has some tufts too many: they are outside the window, or
+        have sunk into the ground. Without ``grass.fade`` no blade sinks at the end of its range, so
+        each position of the eye needs its own choice.
         """
         fade = self.settings.grass.fade
         margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if fade else (0.0, 0.0)
         if frame.detail.grass < 1.0 or frame.detail.coarser > 1.0:
-            # Blades too many cost less than choosing again, the more so in other frames than
+            # Tufts too many cost less than choosing again, the more so in other frames than
             # those in which the sprites are chosen.
             margin, angle = RARELY * margin, RARELY * angle
         if self._chosen is None or not self._still_serves(frame, margin, angle):
-            self._chosen, self._chosen_for = self.select(frame, margin, angle), frame
+            self._chosen, self._chosen_for = self.choose(frame, margin, angle), frame
         return self._chosen
 
     def _still_serves(self, frame: Frame, margin: float, angle: float) -> bool:
@@ -241,21 +262,25 @@ class Meadow(Element[Settings]):
         same = then.grass == now.grass and then.coarser == now.coarser
         return same and is_near(self._chosen_for, frame, margin, angle)
 
-    def seen(self, frame: Frame, patch: Patch) -> Patch:
-        """Return the blades of a choice that show in a frame, the nearest first.
+    def seen(self, frame: Frame, tufts: np.ndarray) -> Patch:
+        """Return the blades of some tufts that show in a frame, the nearest first.
 
-        The choice has a margin for frames to come: half of it has sunk or is beside the picture.
+        Those of tufts that were never seen take shape. Without ``grass.fade`` all are returned.
         """
+        growth = self._growth
         if not self.settings.grass.fade:
-            return patch
-        ranges = self._ranges(frame, patch)
-        kept = showing(frame, patch.places, ranges, patch.sizes, self._widening)
-        return patch.only(kept[nearest_first(frame, patch.places[:, kept])])
+            return growth.blades(tufts)
+        rows = growth.rows(self._showing(frame, tufts))
+        places, ranges, sizes = (growth.of(name, rows) for name in ("positions", "ranges", "sizes"))
+        kept = self._found(frame, places, ranges, sizes)
+        order = nearest_first(frame, places.take(kept, axis=0).T)
+        patch = growth.patch(rows[kept[order]])
+        fraction = frame.detail.grass
+        return widened(patch, fraction) if fraction < 1.0 else patch
 
-    def _ranges(self, frame: Frame, patch: Patch) -> np.ndarray:
-        """Return how far away blades are drawn in a frame, float32 (n,) in units."""
-        fraction, thinning = frame.detail.grass, self._growth.thinning
-        return shortened(patch.ranges, self.reach(frame), fraction, thinning)
+    def _shortened(self, frame: Frame, ranges: np.ndarray) -> np.ndarray:
+        """Return how far away blades of ``ranges`` (n,) are drawn in a frame, float32 in units."""
+        return shortened(ranges, self.reach(frame), frame.detail.grass, self._growth.thinning)
 
     def bend(self, frame: Frame, patch: Patch) -> np.ndarray:
         """Return a patch's vertices, float32 (n, 5, 3), in the wind, turned, and sunk far away.
@@ -280,7 +305,7 @@ class Meadow(Element[Settings]):
             facing(columns, away, grass.facing)
 
         if grass.fade:
-            left = np.clip(4.0 * (1.0 - far / self._ranges(frame, patch)), 0.0, 1.0)
+            left = np.clip(4.0 * (1.0 - far / self._shortened(frame, patch.ranges)), 0.0, 1.0)
             if grass.sward:
                 left *= raised(far)
             columns[2:, 1] = places[1] + (columns[2:, 1] - places[1]) * left
@@ -310,10 +335,10 @@ class Meadow(Element[Settings]):
         if not count:
             return
         vertices = self.bend(frame, patch).reshape(-1, 3)
-        coordinates = self._corners[patch.kinds].reshape(-1, 2)
+        coordinates = self._corners.take(patch.kinds, axis=0).reshape(-1, 2)
         if len(self._indices) < 9 * count:
             self._indices = strip_indices(2 * count)
-        tinted = patch.tints.reshape(-1, 4) if self.settings.grass.tinted else None
+        tinted = patch.colours().reshape(-1, 4) if self.settings.grass.tinted else None
         cut = cut_out() if self.settings.grass.sward else nullcontext()
         sharp = sharper(frame.detail.coarser)
         with attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT), cut, sharp:

@@ -5,7 +5,6 @@ No OpenGL here.
 """
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
@@ -89,9 +88,14 @@ def shortened(
     return np.maximum(shorter, np.float32(1e-6))  # a range is divided by
 
 
+def wider_by(fraction: float) -> float:
+    """Return how many times as wide blades are drawn of which only a ``fraction`` is."""
+    return float(fraction**-THICKER)
+
+
 def widened(patch: "Patch", fraction: float) -> "Patch":
     """Return blades wide enough to cover more of the ground for those that are left out."""
-    grown = np.array([fraction**-THICKER, 1.0, fraction**-THICKER], np.float32)
+    grown = np.array([wider_by(fraction), 1.0, wider_by(fraction)], np.float32)
     feet = patch.positions[:, None]
     vertices = (patch.vertices - feet) * grown + feet
     return replace(patch, vertices=vertices, sizes=patch.sizes * grown[0])
@@ -105,10 +109,9 @@ def lushness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     )
 
 
-def sizes_of(positions: np.ndarray, vertices: np.ndarray) -> np.ndarray:
-    """Return how far the farthest of vertices (n, 5, 3) is from positions (n, 3), float32 (n,)."""
-    apart = vertices - positions[:, None]
-    return np.sqrt((apart * apart).sum(axis=2).max(axis=1)).astype(np.float32)
+def sizes_of(corners: np.ndarray) -> np.ndarray:
+    """Return how far the farthest of corners (5, 3, n) is from the origin, float32 (n,)."""
+    return np.sqrt((corners * corners).sum(axis=1).max(axis=0)).astype(np.float32)
 
 
 def hues(green: np.ndarray, straw: np.ndarray, pale: np.ndarray) -> np.ndarray:
@@ -126,26 +129,31 @@ def blade_tints(
     brightness: np.ndarray,
     upper: np.ndarray | float = 0.4,
     foot: np.ndarray | float = 0.4,
-) -> np.ndarray:
-    """Return tints, uint8 (n, 5, 3), for blades on ground of colours (n, 3), darker at the foot.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the tints (n, 3), 0..1, of blades on ground of colours (n, 3): at the foot, and above.
 
     ``upper`` and ``foot`` (3,) are the texture's mean colours there. Drawn at twice texture times
     tint, the upper part of a blade has the ground's own colour times its ``brightness`` (n,). Its
     foot is FOOT times as bright, so that no blade looks pasted on.
     """
     light = colour * brightness[:, None] / (2.0 * np.asarray(upper))
-    tints = np.repeat(light[:, None, :], 5, axis=1)
-    tints[:, :2] *= FOOT * np.asarray(upper) / np.asarray(foot)
-    return (np.clip(tints, 0, 1) * 255).astype(np.uint8)
+    return light * (FOOT * np.asarray(upper) / np.asarray(foot)), light
+
+
+def packed(colours: np.ndarray) -> np.ndarray:
+    """Return colours (3, n), 0..1 or clipped, as OpenGL's four bytes in one uint32 (n,), opaque."""
+    out = np.full((colours.shape[1], 4), 255, np.uint8)
+    out[:, :3] = (np.clip(colours, 0, 1) * 255).T
+    return out.view(np.uint32)[:, 0]
 
 
 @dataclass(frozen=True)
 class Patch:
-    """Blades: places (n, 3), vertices without wind (n, 5, 3), tints (n, 5, 4), ranges (n,).
+    """Blades: places (n, 3), vertices without wind (n, 5, 3), tints (n, 2), ranges (n,).
 
-    A blade is drawn up to its range in units, or the radius if that is less; those of the longest
-    range come first. ``kinds`` (n,) are those of the sward, see :mod:`sward`. ``sizes`` (n,) is how
-    many units from its place a blade's farthest vertex is.
+    Tints are a colour for the feet and one for what is above, see :func:`packed`. A blade is drawn
+    up to its range in units, or the radius if that is less. ``kinds`` (n,) are those of the sward,
+    see :mod:`sward`. ``sizes`` (n,) is how many units from its place a blade's farthest vertex is.
     """
 
     positions: np.ndarray
@@ -165,16 +173,19 @@ class Patch:
         """The places as (3, n)."""
         return np.ascontiguousarray(self.positions.T)
 
-    def only(self, which: np.ndarray | slice) -> "Patch":
-        """Return some of the blades."""
-        return Patch(*(getattr(self, name)[which] for name in ARRAYS))
+    def colours(self) -> np.ndarray:
+        """Return the tints of all vertices, uint8 (n, 5, 4)."""
+        out = np.empty((len(self.tints), 5), np.uint32)
+        out[:, :2] = self.tints[:, :1]
+        out[:, 2:] = self.tints[:, 1:]
+        return out.view(np.uint8).reshape(-1, 5, 4)
 
 
 ARRAYS = tuple(array.name for array in fields(Patch))
 NOTHING = Patch(
     np.empty((0, 3), np.float32),
     np.empty((0, 5, 3), np.float32),
-    np.empty((0, 5, 4), np.uint8),
+    np.empty((0, 2), np.uint32),
     np.empty(0, np.float32),
     np.empty(0, np.uint8),
     np.empty(0, np.float32),
@@ -224,25 +235,6 @@ def showing(
     return np.asarray(found[seen])
 
 
-def in_range(
-    frame: Frame,
-    patch: "Patch",
-    radius: float,
-    widening: tuple[float, float] = (1.0, 0.0),
-    margin: float = 0.0,
-    angle: float = 0.0,
-    thinning: float = THINNING,
-) -> np.ndarray:
-    """Return the numbers (k,) of a patch's blades that may be seen.
-
-    Their cells were thinned out only by the distance of the nearest point. ``widening`` is that of
-    :func:`showing`. ``margin`` units is how far the eye may still move, and ``angle`` radians how
-    far it may turn.
-    """
-    shorter = shortened(patch.ranges, radius, frame.detail.grass, thinning)
-    return showing(frame, patch.places, shorter, patch.sizes, widening, margin, angle)
-
-
 def nearest_first(frame: Frame, places: np.ndarray) -> np.ndarray:
     """Return the order (n,) in which blades at ``places`` (3, n) are drawn: the nearest first.
 
@@ -254,14 +246,3 @@ def nearest_first(frame: Frame, places: np.ndarray) -> np.ndarray:
     # Whole numbers of 16 bits are sorted in a tenth of the time.
     steps = np.float32(ORDERED / max(float(away.max(initial=0.0)), 1e-6))
     return np.argsort((away * steps).astype(np.uint16), kind="stable")
-
-
-def joined(patches: Sequence[Patch], counts: Sequence[int] | None = None) -> Patch:
-    """Return the blades of several patches as one; of each patch only the first ``counts``."""
-    ends = [len(patch.positions) for patch in patches] if counts is None else counts
-
-    def all_of(name: str) -> np.ndarray:
-        parts = [getattr(patch, name)[:end] for patch, end in zip(patches, ends, strict=True)]
-        return np.concatenate(parts)
-
-    return Patch(*map(all_of, ARRAYS))

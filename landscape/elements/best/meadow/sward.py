@@ -5,8 +5,8 @@ texture; what is transparent there fails the alpha test. Sheaves of green blades
 colour; straw and flowers keep their own, ``grass.flowers`` of them in drifts. No OpenGL here.
 """
 
-import math
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from PIL import Image
@@ -59,7 +59,11 @@ DRIFTS = (
     (1.5, 0.6),
 )
 CARD_HEIGHT = float(LOOKS[:GREEN_KINDS, 1].max())  # of the sheaves, in the same units
-HUES = np.array([(0.97, 1.02, 0.90), (1.09, 1.05, 0.74), (0.91, 1.00, 0.98), (0.93, 1.06, 0.76)])
+HUES = np.array(
+    [(0.97, 1.02, 0.90), (1.09, 1.05, 0.74), (0.91, 1.00, 0.98), (0.93, 1.06, 0.76)], np.float32
+)
+# Chosen: what is mixed with the colour of the ground for green cards, and for those like straw.
+GREENER, STRAW = np.array([[(0.86,), (1.12,), (0.50,)], [(1.24,), (1.12,), (0.76,)]], np.float32)
 DRY, BARE = 0.6, 0.35  # chosen: exponent on how green the ground is, and where it looks bare
 BOLD = 0.35  # chosen: exponent; the fewer cards are drawn, the more of them are flowers
 TUFT = 0.036  # chosen: units, how far apart the roots of a tuft's cards are
@@ -80,6 +84,11 @@ LOWER = 1.2  # chosen: how much more of the sward is low where little stands
 ROOTS = 0.30  # chosen: how much lighter than its picture the foot is of cards seen from far away
 SHADED = 0.4  # chosen: how much darker the feet of near ones are with ground.tone
 CARD_SIDES = np.array([-1.0, 1.0, -SPREAD, SPREAD], np.float32)  # of feet and shoulders
+BEND = 0.004  # section 5.3.2: how far a tip bends, in units of the report's blade before scaling
+# Of each kind half its width and its height, and of its shoulders, how high they are by the card's
+# height, and how far they bend by how far its tip does.
+SHOULDERS = np.where(np.arange(len(LOOKS)) < GREEN_KINDS, SHOULDER, 1.0)
+CARDS = np.stack([*LOOKS[:, :2].T, SHOULDERS, SHOULDERS**1.6])
 
 
 def most_widened(near: float) -> tuple[float, float]:
@@ -155,21 +164,26 @@ def mean_colours(image: np.ndarray) -> np.ndarray:
 
 
 def card_corners(angles: np.ndarray, kinds: np.ndarray, lean: np.ndarray) -> np.ndarray:
-    """Return cards (n, 5, 3) at the origin, unscaled: two feet, two shoulders, a tip.
+    """Return cards (5, 3, n) at the origin, unscaled: two feet, two shoulders, a tip.
 
     ``angles`` (n,) turn their wide side from x towards z; their tops move ``lean`` (n,) times a
     tip's bend of section 5.3.2 at right angles to it. A card that is a whole rectangle has its
     shoulders at its top.
     """
-    half, height = LOOKS[kinds, :2].T
-    low = np.where(kinds < GREEN_KINDS, SHOULDER, 1.0)
-    side = np.stack([np.cos(angles), 0 * angles, np.sin(angles)], axis=1) * half[:, None]
-    bend = np.stack([-np.sin(angles), 0 * angles, np.cos(angles)], axis=1)
-    bend *= (0.004 * lean)[:, None]
-    up = np.array([0.0, 1.0, 0.0]) * height[:, None]
-    middle = low[:, None] * up + (low**1.6)[:, None] * bend
-    foot = side / SPREAD
-    return np.stack([-foot, foot, middle - side, middle + side, up + bend], axis=1)
+    half, height, low, bent = CARDS.take(kinds, axis=1)
+    c, s = np.cos(angles), np.sin(angles)
+    bend = BEND * lean
+    out = np.zeros((5, 3, len(angles)))
+    for axis, side, aside in ((0, c * half, -s * bend), (2, s * half, c * bend)):
+        foot, middle = side / SPREAD, bent * aside
+        out[0, axis] = -foot
+        out[1, axis] = foot
+        out[2, axis] = middle - side
+        out[3, axis] = middle + side
+        out[4, axis] = aside
+    out[2:4, 1] = low * height
+    out[4, 1] = height
+    return out
 
 
 def card_scale(scale: tuple[float, ...]) -> tuple[float, float]:
@@ -181,28 +195,52 @@ def card_scale(scale: tuple[float, ...]) -> tuple[float, float]:
     return min(across, WIDEST * up), up
 
 
-def waves(x: np.ndarray, z: np.ndarray, k: float, number: int) -> np.ndarray:
-    """Return a smooth pattern of about -1..1 at x, z, of wave number ``k``, one per ``number``."""
-    a, b = 2.399963 * number, 1.7 * number
-    c, s = math.cos(a), math.sin(a)
+def patterns(*rows: tuple[float, int]) -> np.ndarray:
+    """Return the numbers of which :func:`waves` makes patterns, (numbers, m, 1).
+
+    Each of m ``rows`` is a wave number, and which of all patterns it is.
+    """
+    k, number = np.array(rows).T
+    a = 2.399963 * number
+    terms = [np.cos(a), np.sin(a), 1.7 * number, k, 0.57 * k, 1.31 * k, 0.83 * k, 2.3 * k, 1.7 * k]
+    return np.array(terms)[..., None]
+
+
+# What the patterns decide: where trails are, and clumps; where seed heads are ripe, where straw
+# stands, and where flowers of each kind do, by a wide and by a narrow pattern; where the sward is
+# tall, by two; and where it is light.
+TRAIL_WAVE = 1.15
+TRAILS = patterns((TRAIL_WAVE, 21))
+CLUMPS = patterns((22.0, 22), (61.0, 23))
+KINDS = patterns(
+    *((2.7, 26), (3.9, 27)),
+    *((k, 30 + number // 2 * 2) for number, (k, _) in enumerate(DRIFTS)),
+    *((7.0, 40 + number) for number in range(len(DRIFTS))),
+)
+LOOK = patterns((1.9, 24), (9.0, 25), (1.3, 28))
+
+
+def waves(x: np.ndarray, z: np.ndarray, chosen: np.ndarray) -> np.ndarray:
+    """Return smooth patterns (m, n) of about -1..1 at x, z (n,), of :func:`patterns`."""
+    c, s, b, k, k_warp, k_warp_v, k_v, k_u2, k_v2 = chosen.astype(x.dtype)
     u, v = x * c + z * s, z * c - x * s
-    warp = 0.9 * np.sin(0.57 * k * u + b) + 0.5 * np.sin(1.31 * k * v - b)
+    warp = 0.9 * np.sin(k_warp * u + b) + 0.5 * np.sin(k_warp_v * v - b)
     return np.asarray(
-        0.62 * np.sin(k * u + warp + b) * np.sin(0.83 * k * v - warp)
-        + 0.38 * np.sin(2.3 * k * u + 1.7 * k * v + 2.0 * warp)
+        0.62 * np.sin(k * u + warp + b) * np.sin(k_v * v - warp)
+        + 0.38 * np.sin(k_u2 * u + k_v2 * v + 2.0 * warp)
     )
 
 
 def off_trail(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return 0 on the trails that deer have trodden, 1 beside them."""
-    k = 1.15
-    pattern = waves(x, z, k, 21)
-    return np.asarray(np.clip(np.abs(pattern) / (k * TRAIL) - 0.5, 0.0, 1.0))
+    pattern = waves(x, z, TRAILS)[0]
+    return np.asarray(np.clip(np.abs(pattern) / (TRAIL_WAVE * TRAIL) - 0.5, 0.0, 1.0))
 
 
 def standing(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Return 0..1: how densely cards stand at x, z: clumps with gaps between them, and trails."""
-    clumps = 0.72 + 0.28 * waves(x, z, 22.0, 22) + 0.22 * waves(x, z, 61.0, 23)
+    small, smaller = waves(x, z, CLUMPS)
+    clumps = 0.72 + 0.28 * small + 0.22 * smaller
     return np.asarray(np.clip(clumps, 0.40, 1.0) * (0.55 + 0.45 * off_trail(x, z)))
 
 
@@ -214,60 +252,71 @@ def covered(green: np.ndarray) -> np.ndarray:
     return np.asarray(green**DRY * np.clip(green / BARE, 0.0, 1.0))
 
 
-def tallness(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return factors on the height of cards at x, z, at three scales; low on the trails."""
-    wide = 1.0 + 0.30 * waves(x, z, 1.9, 24) + 0.22 * waves(x, z, 9.0, 25)
-    return np.asarray(wide * (0.45 + 0.55 * off_trail(x, z)))
+TALLEST = 1.52  # the greatest factor on the height of cards that a place has, see places_at
+
+
+class Places(NamedTuple):
+    """What grows at each of t places: all that depends on the place alone.
+
+    ``weights`` (kinds, t) say how many of a thousand cards are of a kind, of flowers how strong
+    their drift is; ``tall`` (t,) are factors on the height of cards, at three scales, low on the
+    trails; ``tone`` (t,) factors on their colour.
+    """
+
+    weights: np.ndarray
+    tall: np.ndarray
+    tone: np.ndarray
+
+
+def places_at(x: np.ndarray, z: np.ndarray) -> Places:
+    """Return what grows at x, z (t,)."""
+    wide, narrow, light = waves(x, z, LOOK)
+    tall = (1.0 + 0.30 * wide + 0.22 * narrow) * (0.45 + 0.55 * off_trail(x, z))
+    x, z = x.astype(np.float32), z.astype(np.float32)
+    ripe, dry, *drifts = waves(x, z, KINDS)
+    weights = np.empty((len(LOOKS), len(x)), np.float32)
+    weights[:] = LOOKS[:, 2:]
+    ripe = np.clip(1.0 + 1.6 * ripe, 0.1, 2.6)
+    weights[FLOOR] *= 1.0 + LOWER * (1.0 - standing(x, z))
+    weights[5] *= ripe
+    weights[6] *= np.clip(2.0 - ripe, 0.1, 2.0)
+    weights[7] *= np.clip(0.8 + 1.4 * dry, 0.1, 2.2)
+    where, how = np.split(np.array(drifts), 2)
+    strong = np.clip(1.9 * where - 0.55, 0.0, 1.0) * np.clip(0.9 + 1.2 * how, 0.0, 1.0)
+    weights[STANDING:] = strong
+    return Places(weights, tall, 1.0 + 0.10 * light)
 
 
 def kinds_at(
-    x: np.ndarray,
-    z: np.ndarray,
-    tuft: np.ndarray,
-    draw: np.ndarray,
-    bold: np.ndarray,
-    flowers: float,
+    weights: np.ndarray, tuft: np.ndarray, draw: np.ndarray, bold: np.ndarray, flowers: float
 ) -> np.ndarray:
-    """Return a kind, uint8 (n,), for cards of the tufts ``tuft`` (n,) whose roots are at x, z (t,).
+    """Return a kind, uint8 (n,), for cards of tufts whose places have ``weights`` (kinds, t).
 
-    Random numbers ``draw`` (n,) in 0..1 choose it. ``flowers`` is the fraction that flowers in the
-    middle of a drift where all cards are drawn; ``bold`` (n,) says by how much more of those are
-    that are seen from far away. The place decides by tufts, which saves most of the time.
+    ``tuft`` (n,) is the tuft of each. Random numbers ``draw`` (n,) in 0..1 choose it. ``flowers``
+    is the fraction that flowers in the middle of a drift where all cards are drawn; ``bold`` (n,)
+    says by how much more of those are that are seen from far away.
     """
-    x, z = x.astype(np.float32), z.astype(np.float32)
-    places = np.empty((len(x), len(LOOKS)), np.float32)
-    places[:] = LOOKS[:, 2]
-    ripe = np.clip(1.0 + 1.6 * waves(x, z, 2.7, 26), 0.1, 2.6)
-    dry = np.clip(0.8 + 1.4 * waves(x, z, 3.9, 27), 0.1, 2.2)
-    places[:, FLOOR] *= 1.0 + LOWER * (1.0 - standing(x, z))
-    places[:, 5] *= ripe
-    places[:, 6] *= np.clip(2.0 - ripe, 0.1, 2.0)
-    places[:, 7] *= dry
-    for number, (k, _) in enumerate(DRIFTS):
-        drift = np.clip(1.9 * waves(x, z, k, 30 + number // 2 * 2) - 0.55, 0.0, 1.0)
-        drift *= np.clip(0.9 + 1.2 * waves(x, z, 7.0, 40 + number), 0.0, 1.0)
-        places[:, STANDING + number] = drift
-
-    weights = places[tuft]
-    common = np.array([common for _, common in DRIFTS], np.float32)
-    drifts = np.minimum(weights[:, STANDING:] * bold[:, None].astype(np.float32), 2.0)
-    weights[:, STANDING:] = np.float32(1000.0 * flowers) * common * drifts
-    steps = np.cumsum(weights, axis=1)
-    return (steps <= (draw * steps[:, -1])[:, None]).sum(axis=1).astype(np.uint8)
+    steps = weights.take(tuft, axis=1)
+    common = np.array([[common] for _, common in DRIFTS], np.float32)
+    drifts = np.minimum(steps[STANDING:] * bold.astype(np.float32), 2.0)
+    steps[STANDING:] = np.float32(1000.0 * flowers) * common * drifts
+    np.cumsum(steps, axis=0, out=steps)
+    return np.asarray((steps <= draw * steps[-1]).sum(axis=0, dtype=np.uint8))
 
 
 def hues(draw: np.ndarray, tone: np.ndarray, colour: np.ndarray) -> np.ndarray:
-    """Return the colours (n, 3) of green cards on ground of ``colour`` (n, 3).
+    """Return the colours (3, n) of green cards on ground of ``colour`` (3, n).
 
     They are a little greener than it, some yellower, some bluer, one in ten pale like straw, and
     three in ten on dry ground, by ``draw`` (n,) in 0..1; ``tone`` (n,) multiplies them.
     """
-    light = colour @ (0.30, 0.59, 0.11)
-    lush = np.clip((colour[:, 1] / np.maximum(colour[:, 0], 1e-3) - 0.94) / 0.22, 0.0, 1.0)
-    mixed = (0.10 + 0.26 * lush)[:, None]
-    green = (1.0 - mixed) * colour + mixed * light[:, None] * (0.86, 1.12, 0.50)
+    red, green, blue = colour
+    light = 0.30 * red + 0.59 * green + 0.11 * blue
+    lush = np.clip((green / np.maximum(red, 1e-3) - 0.94) / 0.22, 0.0, 1.0)
+    mixed = 0.10 + 0.26 * lush
+    greener = (1.0 - mixed) * colour + mixed * light * GREENER
     kind = (draw * 97.0).astype(int) % len(HUES)
-    straw = 0.5 * colour + 0.5 * light[:, None] * (1.24, 1.12, 0.76)
+    straw = 0.5 * colour + 0.5 * light * STRAW
     dead = draw < (0.30 - 0.20 * lush)
-    hue = 1.0 + (HUES[kind] - 1.0) * (0.4 + 0.6 * lush)[:, None]
-    return np.asarray(np.where(dead[:, None], straw, green * hue) * tone[:, None])
+    hue = 1.0 + (HUES.T - np.float32(1.0)).take(kind, axis=1) * (0.4 + 0.6 * lush)
+    return np.asarray(np.where(dead, straw, greener * hue) * tone)

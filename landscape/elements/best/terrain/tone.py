@@ -20,7 +20,7 @@ LUMINANCE = np.array([0.30, 0.59, 0.11], np.float32)
 
 def turf_toned(colours: np.ndarray, strength: float) -> np.ndarray:
     """Return colours of grass, float (..., 3) in 0..1, toned by ``strength``, 0..1."""
-    olive = colours.copy()
+    olive = np.array(colours)  # in the order in which they lie in memory
     olive[..., 1] -= OLIVE * np.maximum(colours[..., 1] - colours[..., 0], 0.0)
     light = (colours @ LUMINANCE)[..., None]
     left = DARKER * (PALE / np.maximum(light, PALE)) ** np.float32(SHOULDER)
