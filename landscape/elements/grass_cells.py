@@ -82,15 +82,22 @@ def places_in_cells(
             again = [k for k, n in enumerate(wanted) if missing[n] > 0]
             if not again:
                 break
-            halves = [np.array_split(places[k], 2)[part] for k in again]
+            halves = [halved(places[k], part) for k in again]
             chance = suits(*np.concatenate(halves).T)
-            ends = np.cumsum([len(half) for half in halves])[:-1]
-            for k, half, likely in zip(again, halves, np.split(chance, ends), strict=True):
-                luck = np.array_split(lucks[k], 2)[part]
-                kept[wanted[k]].append(half[luck < likely])
-                missing[wanted[k]] -= len(kept[wanted[k]][-1])
+            end = 0
+            for k, half in zip(again, halves, strict=True):
+                start, end = end, end + len(half)
+                some = half[halved(lucks[k], part) < chance[start:end]]
+                kept[wanted[k]].append(some)
+                missing[wanted[k]] -= len(some)
 
     return [np.concatenate(parts)[:count] for parts, count in zip(kept, counts, strict=True)]
+
+
+def halved(values: np.ndarray, part: int) -> np.ndarray:
+    """Return the first half of values (part 0), which is the larger one, or the second (part 1)."""
+    middle = (len(values) + 1) // 2
+    return values[middle:] if part else values[:middle]
 
 
 def cells_around(x: float, z: float, radius: float, across: int) -> np.ndarray:

@@ -91,6 +91,8 @@ class Growth:
         self.shared = self.counts.copy()
         self.shapes = Shapes(settings, ground, ends, self.near, self.tuft_radius)
         self._lots = lots_of(settings.grass)
+        self._of_tufts = [name for name in self._lots if name in OF_TUFTS]
+        self._of_blades = [name for name in self._lots if name not in OF_TUFTS]
         self._cells: dict[int, Cell] = {}  # the most recently used last
         self.tufts, self._blades = self._bare()
 
@@ -103,12 +105,8 @@ class Growth:
         """Return the rows of tufts and of blades before any is sown.
 
         A tuft's blades begin at the row ``first`` of blades. ``far`` is how far away each blade
-        would be drawn, which is its range in full precision. Lots are random numbers in 0..1.
+        would be drawn, which is its range in full precision. ``lots`` are random numbers in 0..1.
         """
-
-        def lots(of_tufts: bool) -> dict[str, np.ndarray]:
-            names = [name for name in self._lots if (name in OF_TUFTS) == of_tufts]
-            return {name: np.empty(0) for name in names}
 
         tufts = Rows(
             roots=np.empty((0, 2)),
@@ -118,10 +116,11 @@ class Growth:
             first=np.empty(0, int),
             blades=np.empty(0, int),
             shaped=np.empty(0, bool),
-            **lots(of_tufts=True),
+            lots=np.empty((0, len(self._of_tufts))),
         )
-        shaped = {name: getattr(NOTHING, name) for name in ARRAYS}
-        return tufts, Rows(far=np.empty(0), **shaped, **lots(of_tufts=False))
+        shapes = {name: getattr(NOTHING, name) for name in ARRAYS}
+        blades = Rows(far=np.empty(0), lots=np.empty((0, len(self._of_blades))), **shapes)
+        return tufts, blades
 
     def suits(self, x: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return 0..1: on land, outside the castle and, if tinted, on ground that is seen green.
@@ -270,7 +269,7 @@ class Growth:
             cell.layers.append(Layer(first, *rows))
             cell.blades += count
 
-        lots = {name: np.concatenate(values) for name, values in drawn.items()}
+        lots = {name: np.concatenate(each) for name, each in drawn.items()}
         self._add(np.concatenate(roots), np.concatenate(counts), np.concatenate(ranges), lots)
 
     def _add(
@@ -280,31 +279,27 @@ class Growth:
         first = np.cumsum(counts) - counts
         longest = ranges[first].astype(np.float32)
         x, z = roots.T
-        of_tufts = {name: values for name, values in lots.items() if name in OF_TUFTS}
+        of_tufts = np.array([lots[name] for name in self._of_tufts]).reshape(-1, len(counts))
+        of_blades = np.array([lots[name] for name in self._of_blades])
         self.tufts.add(
             len(counts),
             roots=roots,
             places=np.stack([x, self._ground.field.terrain_height(x, z), z], axis=1),
-            sizes=self.shapes.sizes(longest, of_tufts),
+            sizes=self.shapes.sizes(longest, lots),
             ranges=longest,
             first=self._blades.count + first,
             blades=counts,
             shaped=np.zeros(len(counts), bool),
-            **of_tufts,
+            lots=of_tufts.T,
         )
-        of_blades = {name: values for name, values in lots.items() if name not in OF_TUFTS}
-        self._blades.add(len(ranges), far=ranges, **of_blades)
+        self._blades.add(len(ranges), far=ranges, lots=of_blades.T)
 
     def _shape(self, tufts: np.ndarray) -> None:
         """Give the blades of tufts (t,) their shape."""
         rows = self._rows(tufts)
         counts = self.tufts.take("blades", tufts)
-        lots = {
-            name: self.tufts.take(name, tufts)
-            if name in OF_TUFTS
-            else self._blades.take(name, rows)
-            for name in self._lots
-        }
+        lots = dict(zip(self._of_tufts, self.tufts.take("lots", tufts).T, strict=True))
+        lots.update(zip(self._of_blades, self._blades.take("lots", rows).T, strict=True))
         sown = Sown(
             self.tufts.take("roots", tufts),
             np.repeat(np.arange(len(tufts)), counts),
