@@ -44,6 +44,7 @@ ROOT, TIP = 0.72, 1.12  # brightness of the lowest and of the highest shell
 DARK, BARE = 50, 0.06  # mean colour under which a vertex is an eye; how far the bald reaches
 PINK = (35, 46)  # red minus green of skin: from the first on hairs get shorter
 APPEARS = (0.5, 1.5)  # pixels: a shorter hair is not drawn, from the other on all are
+SKIPPED = 3  # where hairs are that short, only every so many-th shell is drawn; no pixel shows it
 FEET = (-0.86, -0.60)  # heights between which hairs get longer, from half of it
 FACE, SHORT = (0.30, 0.70), 0.45  # x between which hairs get shorter to the nose, and how short
 GLINT, GLINT_CORNERS = 0.013, 10  # radius of the disc in an eye, and its corners
@@ -231,6 +232,12 @@ class Fur:
         least, all_seen = APPEARS
         return min(max((self._hair * pixels - least) / (all_seen - least), 0.0), 1.0)
 
+    def _drawn(self, seen: float) -> list[tuple[int, DisplayList]]:
+        """Return the shells to draw, by their numbers: the outermost always."""
+        every = 1 + round((SKIPPED - 1) * (1.0 - seen))
+        numbered = list(enumerate(self._lists))
+        return numbered[(len(numbered) - 1) % every :: every]
+
     def draw(self, seen: float) -> None:
         """Draw as much as is ``seen`` in the place and light that are set.
 
@@ -239,7 +246,7 @@ class Fur:
         with cut_out(), attrib(gl.GL_TEXTURE_BIT):
             self._texture.bind()
             combine_heights()
-            for k, layer in enumerate(self._lists):
+            for k, layer in self._drawn(seen):
                 cut = (k + 0.5) / (len(self._lists) + 1)
                 cut += SPARSE * (1.0 - seen) * (1.0 - cut)
                 least = np.array((0.0, 0.0, 0.0, max(cut - STRENGTH, 0.0)), np.float32)

@@ -24,7 +24,8 @@ TIDES = ((0.060, 0.010, 1.0), (0.024, 0.005, 0.6))  # units above the water, hal
 GREY = np.array((0.355, 0.337, 0.308), np.float32)  # hue of rock
 SOFTER = 10  # texels over which the colours of steep ground are blurred
 PALEST = 0.46  # lighter rock, in 0..1, is halfway to this
-WEED = (0.46, 0.40, 0.32)  # factor on sand under dry weed
+WEED = (0.66, 0.60, 0.51)  # factor on sand under dry weed
+NARROW = 0.07  # units, half the width of a line of weed at most: flat sand would be brown all over
 # Sand on the bed of shallow water: its colour, which wet.py will darken, and the units above the
 # water between which the painted bed turns to sand, and sand to the colour of the sea floor that
 # shallows.py draws below. Where it is steep, rock stays.
@@ -116,6 +117,7 @@ class Land:
 
     def weed(self, flat: np.ndarray, height: float, half: float, strength: float) -> np.ndarray:
         """Return how much dry weed a tide has left on ``flat`` ground, 0..1."""
+        half = np.minimum(half, NARROW * np.maximum(self.slope, 0.02))
         line = (self.above - height - 0.014 * self.broad - 0.004 * self.fine) / half
         return np.asarray(strength * flat * np.exp(-line * line) * ramp(-0.6, 0.5, self.fine))
 
