@@ -118,6 +118,7 @@ class Frame:
     ``modelview`` is the camera's matrix as OpenGL returns it, 16 floats in column-major order.
     ``step`` counts the walker's steps (k_step); ``stroke`` is 0 at rest and 1 to 4 in a stroke.
     ``fov`` is the vertical field of view in degrees. Of a ``tile`` only that part is drawn.
+    Billboards turn to the eye of the pose ``faced``; None is the frame's own.
     """
 
     pose: Pose
@@ -130,6 +131,7 @@ class Frame:
     mirrored: bool = False
     detail: Detail = FULL
     tile: Tile | None = None
+    faced: Pose | None = None
 
     @property
     def corner(self) -> tuple[int, int]:
@@ -157,6 +159,14 @@ class Frame:
     def eye(self) -> np.ndarray:
         """The eye's place, float64 (3,)."""
         return np.array([self.pose.x, self.eye_y, self.pose.z])
+
+    @property
+    def faced_eye(self) -> np.ndarray:
+        """The place that billboards turn to, float64 (3,)."""
+        if self.faced is None:
+            return self.eye
+        assert self.faced.y is not None
+        return np.array([self.faced.x, self.faced.y, self.faced.z])
 
     @cached_property
     def right(self) -> np.ndarray:

@@ -1,5 +1,6 @@
 """The camera's lens: what is out of focus is blurred, as the mean of pictures from its points."""
 
+import itertools
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -11,6 +12,7 @@ from stage import SIZE, SMALL, Stage, live_names, project
 from framelens.base.errors import InputError
 from framelens.gl import features
 from framelens.gl.seam import gl
+from landscape.elements.best.sprites.slope_billboards import place_axes
 from landscape.elements.settings import Camera, Fog, Settings, Sun
 from landscape.frame import Frame, Pose, Tile
 from landscape.offscreen import Offscreen
@@ -46,12 +48,12 @@ def dots(*places: np.ndarray) -> Callable[[Moment], None]:
 
 
 def seen(stage: Stage, camera: Camera, draw: Callable[[Moment], None]) -> np.ndarray:
-    """Return how bright each pixel is that a lens shows, (h, w), 0 to 1, top row first."""
+    """Return how much light each pixel has that a lens shows, (h, w), 0 to 1, top row first."""
     lens = Lens(SIZE)
     with stage.borrowed():
         lens.draw(Moment(POSE, SIZE), camera, draw)
         lens.release()
-        return stage.read()[..., 0] / 255
+        return (stage.read()[..., 0] / 255) ** 2
 
 
 def spread(picture: np.ndarray) -> float:
@@ -136,9 +138,9 @@ def test_tiles_put_together_are_the_picture(stage: Stage) -> None:
         for x in (0, half):
             moment = Moment(POSE, SIZE, tile=Tile(x, 0, (0, 0, *SIZE)))
             lens.draw(moment, CAMERA, draw)
-            parts.append(stage.read()[..., :half, 0] / 255)
+            parts.append((stage.read()[..., :half, 0] / 255) ** 2)
         lens.release()
-    assert np.abs(np.hstack(parts) - whole).max() <= 2 / 255
+    assert np.abs(np.hstack(parts) - whole).max() <= 4 / 255
 
 
 def test_no_state_is_left_and_nothing_kept(stage: Stage) -> None:
@@ -165,7 +167,36 @@ def test_an_even_grey_stays_as_it_is(stage: Stage) -> None:
     def draw(moment: Moment) -> None:
         begin_frame(moment, CAMERA, Sun(), Fog(color=(0.4, 0.4, 0.4)), fogged=False)
 
-    assert np.abs(seen(stage, CAMERA, draw) - 0.4).max() <= 1 / 255
+    assert np.abs(np.sqrt(seen(stage, CAMERA, draw)) - 0.4).max() <= 1 / 255
+
+
+def test_a_mean_is_of_light_so_that_half_white_is_brighter_than_half_the_colour(
+    stage: Stage,
+) -> None:
+    def draw(moment: Moment) -> None:
+        # White from every second point of the lens, black from the others.
+        bright = float(next(turns) % 2)
+        begin_frame(moment, CAMERA, Sun(), Fog(color=(bright,) * 3), fogged=False)
+
+    turns = itertools.count()
+    camera = replace(CAMERA, lens_points=8)
+    assert np.abs(np.sqrt(seen(stage, camera, draw)) - math.sqrt(0.5)).max() <= 1 / 255
+
+
+def test_billboards_face_the_middle_of_the_lens_from_each_of_its_points(stage: Stage) -> None:
+    for moment in through(Moment(POSE, SIZE), CAMERA):
+        with stage.borrowed():
+            frame = begin_frame(moment, CAMERA, Sun(), Fog())
+        points = np.array([place(0.5), place(2.0, 0.3)])
+        right, _ = place_axes(frame, points, upright=True)
+        line = points - (POSE.x, POSE.y, POSE.z)
+        assert np.abs((right * line).sum(axis=1)).max() < 1e-6
+
+
+def test_a_walk_begins_with_its_own_angle_of_view() -> None:
+    island, view = find_view("close_grass")
+    assert view.settings["camera.fov"] == 20.0
+    assert "camera.fov" not in island.as_walked(view, None).settings
 
 
 def test_a_photograph_has_neither_sword_nor_map() -> None:

@@ -6,19 +6,25 @@ is drawn from several points of the lens (Haeberli and Akeley, The Accumulation 
 picture, and the mean of these pictures is shown. A point at distance d, with the focus at f,
 becomes a disc of the radius lens * abs(1/f - 1/d), at distance 1.
 
-glAccum has the mean in a buffer that few contexts still have. Here it is a texture of
-floating-point numbers, to which a quad adds each picture, divided by their number (GL_ONE, GL_ONE).
+What has a mean is light, and a colour is about the square root of the light that a screen gives: in
+a mean of colours, a white flower out of focus would be a grey smudge instead of a bright disc. So
+the squares of the colours are added, which GL_SRC_COLOR makes of them when it multiplies a quad's
+colour by itself. glAccum has such a sum in a buffer that few contexts still have. Here it is a
+texture of floating-point numbers. Its root is taken by numpy: a table of glPixelMap may have no
+more than 256 entries, too few for what is dark.
 Each picture is also shifted by another part of a pixel, so that edges are smooth without
 multisampling.
 
-What is wrong without its safeguard: if only the eye moves, and not the frustum, everything is
-blurred, and what is near the most.
-State used: framebuffer objects, GL_BLEND, GL_TEXTURE_2D, viewport, both matrices; depth test, fog
-and lighting off.
+What is wrong without its safeguards: if only the eye moves, and not the frustum, everything is
+blurred, and what is near the most. If billboards turn to each point of the lens, no tree nearby is
+ever sharp (``Moment.faced``).
+State used: framebuffer objects, GL_BLEND with GL_SRC_COLOR for what is blended (OpenGL 1.4),
+GL_TEXTURE_2D, glDrawPixels, viewport, both matrices; depth test, fog and lighting off.
 """
 
 import math
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
@@ -78,7 +84,7 @@ def through(moment: Moment, camera: Camera) -> Iterator[Moment]:
         # The eye moves to the right, so what is in focus would move to the left in the picture.
         sheared = shift + np.array([across, rise]) / camera.focus * pixels
         detail = replace(moment.detail, shift=(float(sheared[0]), float(sheared[1])))
-        yield replace(moment, pose=moved, detail=detail)
+        yield replace(moment, pose=moved, detail=detail, faced=pose)
 
 
 def _pixels(camera: Camera, height: int) -> float:
@@ -122,11 +128,12 @@ class Lens:
                 if number == 0:
                     clear(self.size, (0.0, 0.0, 0.0, 0.0))
                 gl.glViewport(0, 0, *self.size)
-                _add(self._one, 1.0 / len(seen))
+                _add_squares(self._one, 1.0 / len(seen))
 
         with drawing("lens"):
-            gl.glViewport(0, 0, *self.size)
-            _add(self._mean, 1.0, over=True)
+            with self._mean.drawing(clear=False):
+                light = gl.glReadPixels(0, 0, *self.size, gl.GL_RGB, gl.GL_FLOAT)
+            _show(np.sqrt(np.asarray(light, np.float32)), self.size)
 
     def _opened(self) -> bool:
         """Make the textures; return whether this OpenGL can draw into them."""
@@ -147,22 +154,36 @@ class Lens:
         self._one = self._mean = None
 
 
-def _add(target: TextureTarget, weight: float, over: bool = False) -> None:
-    """Add a texture's picture, times ``weight``, to all of the framebuffer, or draw it ``over``."""
+@contextmanager
+def _plain() -> Iterator[None]:
+    """Let the block's pixels be written as they are, wherever they lie."""
     groups = gl.GL_ENABLE_BIT | gl.GL_COLOR_BUFFER_BIT | gl.GL_CURRENT_BIT | gl.GL_TEXTURE_BIT
     with attrib(groups), flat_projection():
-        for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING, gl.GL_CULL_FACE):
+        for off in (gl.GL_DEPTH_TEST, gl.GL_FOG, gl.GL_LIGHTING, gl.GL_CULL_FACE, gl.GL_BLEND):
             gl.glDisable(off)
-        if over:
-            gl.glDisable(gl.GL_BLEND)
-        else:
-            gl.glEnable(gl.GL_BLEND)
-            gl.glBlendFunc(gl.GL_ONE, gl.GL_ONE)
+        yield
+    gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+
+def _add_squares(target: TextureTarget, weight: float) -> None:
+    """Add the squares of a texture's colours, times ``weight``, to all of the framebuffer."""
+    root = math.sqrt(weight)
+    with _plain():
+        gl.glEnable(gl.GL_BLEND)
+        gl.glBlendFunc(gl.GL_SRC_COLOR, gl.GL_ONE)
         gl.glEnable(gl.GL_TEXTURE_2D)
         target.bind()
         for name in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
             gl.glTexParameteri(gl.GL_TEXTURE_2D, name, gl.GL_NEAREST)
         gl.glTexEnvi(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_MODE, gl.GL_MODULATE)
-        gl.glColor4f(weight, weight, weight, weight)
+        gl.glColor4f(root, root, root, root)
         quad((0.0, 0.0, 1.0, 1.0), (-1.0, -1.0, 1.0, 1.0), 0.0)
-    gl.glColor4f(1.0, 1.0, 1.0, 1.0)
+
+
+def _show(colours: np.ndarray, size: tuple[int, int]) -> None:
+    """Write colours, float32 (h * w * 3 numbers, bottom row first), to all of the framebuffer."""
+    gl.glViewport(0, 0, *size)
+    with _plain():
+        gl.glDisable(gl.GL_TEXTURE_2D)
+        gl.glRasterPos2f(-1.0, -1.0)
+        gl.glDrawPixels(*size, gl.GL_RGB, gl.GL_FLOAT, np.ascontiguousarray(colours))

@@ -74,7 +74,8 @@ class Moment:
 
     The pose's ``y`` must be a number. ``detail`` says how finely to draw it. ``walking`` says that
     it is the next frame of a walk: what is costly may then be spread over several. Of a ``tile``
-    only that part of the picture is drawn, without what is laid over it.
+    only that part of the picture is drawn, without what is laid over it. Billboards turn to the eye
+    of the pose ``faced`` if that is another than the moment's own.
     """
 
     pose: Pose
@@ -86,6 +87,7 @@ class Moment:
     detail: Detail = FULL
     walking: bool = False
     tile: Tile | None = None
+    faced: Pose | None = None
 
 
 class Terrain(Protocol):
@@ -258,8 +260,12 @@ class SceneOf(Generic[Values]):
         With the view's own preset the walk begins with all that the view is drawn with. Only where
         that is the scene's default do all elements stand around it: other views show one technique
         or a fix, which the rest of the scene would hide. With another preset only the place and the
-        settings of a fix are taken.
+        settings of a fix are taken. The angle of view of a photograph through a lens is not: a walk
+        has none.
         """
+        if "camera.lens" in view.settings:
+            wide = {key: value for key, value in view.settings.items() if key != "camera.fov"}
+            view = replace(view, settings=wide)
         own = self.preset_of(view)
         if preset not in (None, own):
             on = next((fix.on for fix in self.fixes if fix.name == view.name), {})
@@ -505,6 +511,7 @@ def begin_frame(
         moment.stroke,
         detail=detail,
         tile=moment.tile,
+        faced=moment.faced,
     )
 
 

@@ -26,7 +26,7 @@ def place_axes(frame: Frame, points: np.ndarray, upright: bool) -> tuple[np.ndar
     camera turns on the spot. ``upright`` ones turn about the y axis only, and their up is one for
     all, (3,).
     """
-    line = points - frame.eye.astype(points.dtype)
+    line = points - frame.faced_eye.astype(points.dtype)
     right = np.zeros_like(line)
     far = np.hypot(line[:, 0], line[:, 2])
     # Straight above or below the eye no direction is the one to the side: take the camera's.
