@@ -25,7 +25,7 @@ GREY = np.array((0.355, 0.337, 0.308), np.float32)  # hue of rock
 SOFTER = 10  # texels over which the colours of steep ground are blurred
 PALEST = 0.46  # lighter rock, in 0..1, is halfway to this
 WEED = (0.66, 0.60, 0.51)  # factor on sand under dry weed
-NARROW = 0.07  # units, half the width of a line of weed at most: flat sand would be brown all over
+NARROW = 0.1  # units, half the width of a line of weed at most: flat sand would be brown all over
 # Sand on the bed of shallow water: its colour, which wet.py will darken, and the units above the
 # water between which the painted bed turns to sand, and sand to the colour of the sea floor that
 # shallows.py draws below. Where it is steep, rock stays.
