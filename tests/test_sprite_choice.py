@@ -84,6 +84,36 @@ def test_a_selection_reused_for_several_frames_shows_what_a_new_one_would(
     assert len(made) == before + len(poses)
 
 
+@pytest.mark.seldom(10, first=4)
+def test_in_coarser_frames_a_selection_serves_farther_and_shows_what_a_new_one_would(
+    stage: Stage, sprites: RefinedSprites, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = []
+    monkeypatch.setattr(sprites_in_view, "choose", lambda *a: made.append(a) or choose(*a))
+    settings = small({**WIDE, **{key.replace("__", "."): v for key, v in SCATTERED.items()}})
+    assert taken(sprites, settings)
+
+    def shown(detail: Detail, fresh: bool) -> list[np.ndarray]:
+        out = []
+        for k in range(3):
+            if fresh or not out:
+                scattered(sprites)
+            with stage.frame(settings, replace(NORTH, x=20.0 + 0.08 * k, yaw=2.5 * k)) as frame:
+                sprites.draw(replace(frame, detail=detail))
+                out.append(stage.read())
+        return out
+
+    coarser = Detail(scale=0.5, coarser=2.0)
+    kept = shown(coarser, fresh=False)
+    assert len(made) == 1
+    anew = shown(coarser, fresh=True)
+    assert len(made) == 4
+    assert all((one == other).all() for one, other in zip(kept, anew, strict=True))
+    assert (kept[0] != kept[-1]).any()
+    shown(FULL, fresh=False)
+    assert len(made) == 7
+
+
 def test_coarser_frames_show_the_quads_of_the_one_before_where_the_eye_hardly_moves(
     sprites: RefinedSprites,
 ) -> None:

@@ -69,6 +69,7 @@ class LaidOut:
             True: np.ascontiguousarray(rooted(sprites), np.float32),
         }
         self.sizes = np.ascontiguousarray(sprites.sizes, np.float32)
+        self.reaches = self.sizes.sum(axis=1)  # radii of spheres around sprites' middles
         self.cells = sprites.cells
         self.flipped = sprites.flipped
         self.slopes = sprites.slopes
@@ -172,8 +173,9 @@ def among(pairs: np.ndarray, which: np.ndarray, count: int) -> np.ndarray:
     """
     number = np.full(count, -1)
     number[which] = np.arange(len(which))
-    found = number[pairs]
-    return np.asarray(found[(found >= 0).all(axis=1)])
+    one, other = number.take(pairs.T)
+    both = np.flatnonzero((one >= 0) & (other >= 0))
+    return np.stack([one.take(both), other.take(both)], axis=1)
 
 
 def in_window(
@@ -199,7 +201,7 @@ def in_window(
     kept = np.zeros(len(which), bool)
     for points in (middles, mirrored) if settings.reflection.enabled else (middles,):
         away = np.sqrt(flat[which] + np.square(points[:, 1] - np.float32(frame.eye_y)))
-        kept |= in_view(frame, points, sizes.sum(axis=1) + slack + np.float32(angle) * away)
+        kept |= in_view(frame, points, laid_out.reaches[which] + slack + np.float32(angle) * away)
     return which[kept]
 
 

@@ -57,22 +57,23 @@ def contact_quads(
     ahead = np.array([right[2], 0.0, -right[0]])
     shift = SHIFT * direction(settings.sun) * (1.0, 0.0, 1.0)
     across, along = reach[:, :1] * ACROSS, reach[:, 1:] * ALONG
-    corners = across[..., None] * right + along[..., None] * ahead - shift
-    corners *= widths[:, None, None]
+    x, z = (
+        (across * right[axis] + along * ahead[axis] - shift[axis]) * widths[:, None]
+        for axis in (0, 2)
+    )
 
     # The corners lie on the slope, and a little nearer to the eye, so that the ground is behind.
-    slope = slopes[which]
-    corners[..., 1] = corners[..., 0] * slope[:, :1] + corners[..., 2] * slope[:, 1:]
-    corners += choice.positions[which][:, None]
-    line = frame.eye - corners
-    far = np.sqrt((line * line).sum(axis=2, keepdims=True))
+    slope, feet = slopes[which], choice.positions[which].T[..., None]
+    corners = np.stack([x, x * slope[:, :1] + z * slope[:, 1:], z]) + feet
+    line = frame.eye[:, None, None] - corners
+    far = np.sqrt(line[0] * line[0] + line[1] * line[1] + line[2] * line[2])
     corners += line * np.minimum(NEARER / np.maximum(far, 1e-6), 0.5)
 
     fade = np.clip((WITHIN - away[which]) / (FADES * WITHIN), 0.0, 1.0)
     colours = np.full((len(which), 4), 255.0)
     colours[:, 3] *= settings.transparent.contact * alpha[which] * fade
     return Quads.of(
-        corners.astype(np.float32),
+        np.ascontiguousarray(corners.transpose(1, 2, 0), np.float32),
         np.repeat(PLACE, len(which), axis=0),
         colours.astype(np.uint8),
         QUAD,

@@ -67,19 +67,22 @@ def cuts(quads: np.ndarray, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     """
     one = np.concatenate([pairs[:, 0], pairs[:, 1]])
     other = np.concatenate([pairs[:, 1], pairs[:, 0]])
-    low, across, rise = _spans(quads[one])
-    low_b, across_b, rise_b = _spans(quads[other])
-    normal = np.cross(across_b, rise_b)
+    # What all cuts have of a coordinate is in one row, as are the corners of all billboards.
+    corners = quads.transpose(1, 2, 0)
+    spans = np.stack([corners[0], corners[1] - corners[0], corners[3] - corners[0]])
+    low, across, rise = spans.take(one, axis=2)
+    low_b, across_b, rise_b = spans.take(other, axis=2)
+    normal = _across(across_b, rise_b)
     start = _along(low - low_b, normal)
     by_s, by_u = _along(across, normal), _along(rise, normal)
     at_s = np.abs(by_s) >= np.abs(by_u)
     slope = np.where(at_s, by_s, by_u)
-    steady = np.abs(slope) > 1e-9 * np.linalg.norm(normal, axis=1)
+    steady = np.abs(slope) > 1e-9 * np.sqrt(_along(normal, normal))
     at = -(start + 0.5 * np.where(at_s, by_u, by_s)) / np.where(steady, slope, 1.0)
 
     # The two meet only where that line is on the other one, too.
     s, u = np.where(at_s, at, 0.5), np.where(at_s, 0.5, at)
-    point = low + s[:, None] * across + u[:, None] * rise - low_b
+    point = low + s * across + u * rise - low_b
     there_s = _along(point, across_b) / _along(across_b, across_b)
     there_u = _along(point, rise_b) / _along(rise_b, rise_b)
     meets = (np.abs(there_s - 0.5) < 0.5) & (np.abs(there_u - 0.5) < 0.5)
@@ -87,14 +90,17 @@ def cuts(quads: np.ndarray, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     return one[meets], at_s[meets], np.where(at_s, at, 1.0 - at)[meets]
 
 
-def _spans(quads: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the lower left corner of billboards (n, 4, 3), and their lower and left sides."""
-    return quads[:, 0], quads[:, 1] - quads[:, 0], quads[:, 3] - quads[:, 0]
+def _across(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return the cross products of vectors (3, n)."""
+    x = a[1] * b[2] - a[2] * b[1]
+    y = a[2] * b[0] - a[0] * b[2]
+    z = a[0] * b[1] - a[1] * b[0]
+    return np.stack([x, y, z])
 
 
 def _along(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the dot products (n,) of vectors (n, 3)."""
-    return np.einsum("ij,ij->i", a, b)
+    """Return the dot products (n,) of vectors (3, n)."""
+    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
 
 def cut(owner: np.ndarray, at_s: np.ndarray, at: np.ndarray) -> Pieces:

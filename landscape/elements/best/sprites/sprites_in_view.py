@@ -46,6 +46,8 @@ CUT_WITHIN = 5.0  # chosen: units; of farther ones one does not see which is in 
 # while a coarser frame shows the quads of the one before.
 SERVES, SERVES_KT = (0.04, math.radians(1.5)), 2.0
 
+FARTHER, WIDER = 3.0, 1.5  # chosen: times the margin and the angle of a choice for such frames
+
 TWO_BOXES = np.concatenate([QUAD, QUAD + 4])  # what is opaque in a picture, see atlas.outlines
 
 
@@ -139,6 +141,9 @@ class SpritesInView:
         shared = settings.transparent
         reusable = shared.fade and shared.trimmed
         margin, angle = (REUSE_DISTANCE, REUSE_ANGLE) if reusable else (0.0, 0.0)
+        if frame.detail.coarser > 1.0:
+            # A walk on a slow machine moves far between two frames.
+            margin, angle = FARTHER * margin, WIDER * angle
         if self._choice is None or not self._still_serves(frame, settings, margin, angle):
             self._choice = choose(self._all, frame, settings, margin, angle)
             self._chosen_for = frame, settings
@@ -185,7 +190,8 @@ class SpritesInView:
         pieces = None
         if settings.transparent.split:
             cuttable = board & (seen.away < CUT_WITHIN)
-            pairs = choice.neighbours[cuttable[choice.neighbours].all(axis=1)]
+            one, other = cuttable.take(choice.neighbours.T)
+            pairs = choice.neighbours.compress(one & other, axis=0)
             pieces = cut(*cuts(quads, pairs))
             board[pieces.owner] = False
 
@@ -351,8 +357,8 @@ def order_of(frame: Frame, settings: Settings, points: np.ndarray) -> np.ndarray
     """
     if settings.transparent.faces == "plane":
         return frame.depth(points)
-    line = points - frame.eye.astype(points.dtype)
-    return np.asarray(-np.sqrt((line * line).sum(axis=1)))
+    x, y, z = (points - frame.eye.astype(points.dtype)).T
+    return np.asarray(-np.sqrt(x * x + y * y + z * z))
 
 
 def tinted(tints: np.ndarray, alpha: np.ndarray) -> np.ndarray:
