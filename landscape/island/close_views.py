@@ -98,8 +98,8 @@ CLOSE_VIEWS = (
         settings={
             "camera.fov": 13.0,
             "camera.lens": 0.007,
-            "camera.focus": 0.95,
-            "camera.lens_points": 96,
+            "camera.focus": 0.86,
+            "camera.lens_points": 160,
         },
     ),
     View(
