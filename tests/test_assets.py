@@ -50,7 +50,7 @@ def test_the_shipped_assets_pass_every_check() -> None:
 
 @pytest.mark.seldom(5)
 def test_every_asset_of_the_studio_is_checked(studio: Any) -> None:
-    meshes = {**checks.MESHES, **checks.TEXTURED}
+    meshes = {**checks.MESHES, **checks.TEXTURED, **checks.SKINNED}
     kinds = checks.SIZES, meshes, checks.ENVIRONMENTS, checks.PLACES_FILES
     assert set(studio.table()) == {name for kind in kinds for name in kind}
 

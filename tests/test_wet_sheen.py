@@ -6,6 +6,9 @@ from animals import LIT, made
 from stage import Stage, close, pixel, small, write_ply
 
 from framelens.gl import extensions
+from framelens.gl.seam import gl
+from framelens.gl.state import attrib, matrix
+from framelens.gl.texture import Texture
 from landscape.elements.best.animals import wet_sheen
 from landscape.elements.best.animals.wet_sheen import HEAD_ON, mirrored_part
 from landscape.elements.best.sky.surroundings import face_of, sea_colour, surroundings
@@ -16,6 +19,7 @@ from landscape.files.images import read_image
 from landscape.frame import Pose
 from landscape.geometry.mesh import Mesh
 from landscape.gl.cube_map import face_directions
+from landscape.gl.draw import picture_quad
 
 # A plate across the line of sight.
 PLATE = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float)
@@ -114,6 +118,43 @@ def test_the_waterline_s_band_is_darker_and_what_is_higher_keeps_its_colour() ->
     assert (wet_sheen.wet_band(mesh, -0.15, 0.0).colors == mesh.colors).all()
     half = wet_sheen.wet_band(mesh, -0.15, 0.5).colors
     assert half is not None and (half[y < -0.15, 0] > 120).all()
+
+
+def masked_plate(stage: Stage, plain: Assets, alpha: int, wet: float) -> np.ndarray:
+    """Return the colour of a plate that faces the viewer, and whose texture has that alpha."""
+    values = {"dragon.sheen": 1.0, "dragon.wet": wet, "sun.azimuth": 180.0, "sun.elevation": 1.0}
+    settings = small({**LIT, **values})
+    sheen = wet_sheen.WetSheen(settings, plain, masked=True)
+    texture = Texture(np.full((4, 4, 4), (200, 100, 50, alpha), np.uint8))
+    with stage.frame(settings, SOUTH) as frame:
+        with matrix(), sheen.shining(frame, 1.0, wet), attrib(gl.GL_ENABLE_BIT):
+            gl.glLoadIdentity()
+            gl.glEnable(gl.GL_TEXTURE_2D)
+            texture.bind()
+            gl.glNormal3f(0.0, 0.0, 1.0)
+            picture_quad()
+            gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+        got = pixel(stage.read(), (80.5, 60.5)).astype(float)
+    sheen.release()
+    texture.release()
+    return np.asarray(got)
+
+
+@pytest.mark.parametrize("alpha", [0, 128, 255])
+def test_with_a_mask_a_surface_mirrors_by_the_alpha_of_its_texture(
+    stage: Stage, plain: Assets, alpha: int
+) -> None:
+    own = np.array([200.0, 100.0, 50.0])
+    south = plain_colour(plain, "sky_south.png")
+    part = HEAD_ON * alpha / 255
+    assert close(masked_plate(stage, plain, alpha, 0.0), own + part * (south - own), 2)
+
+
+def test_with_a_mask_the_sun_is_mirrored_by_that_alpha_too(stage: Stage, plain: Assets) -> None:
+    own = np.array([200.0, 100.0, 50.0])
+    dull, half, shiny = (masked_plate(stage, plain, alpha, 1.0) for alpha in (0, 128, 255))
+    assert close(dull, own, 2)
+    assert (shiny[1:] > half[1:] + 30).all() and (half[1:] > dull[1:] + 30).all()
 
 
 def test_the_map_of_the_sun_is_dark_away_from_it_and_white_at_it() -> None:

@@ -90,13 +90,17 @@ class Animal(Element[Settings], ABC):
             gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
 
     @contextmanager
-    def _lit_in_place(self) -> Iterator[None]:
-        """Let the block draw at the animal's place, lit, in its material, and with textures."""
+    def _lit_in_place(self, material: bool = True) -> Iterator[None]:
+        """Let the block draw at the animal's place, lit, in its material, and with textures.
+
+        What has a colour at each vertex, and does not glint, needs no ``material``.
+        """
         with matrix(), attrib(gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT | gl.GL_LIGHTING_BIT):
             gl.glTranslatef(*self.place)
             gl.glRotatef(self._yaw, 0.0, 1.0, 0.0)
             lit(self.settings.shading)
-            self._set_material()
+            if material:
+                self._set_material()
             gl.glEnable(gl.GL_TEXTURE_2D)
             yield
 

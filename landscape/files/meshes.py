@@ -117,9 +117,19 @@ def read_textured(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.nd
     These are colours, uint8 (n, 3), and texture coordinates s and t, float32 (n, 2). InputError as
     :func:`read_ply`, and if the file has none.
     """
+    found = read_looks(path)
+    if found is None:
+        raise InputError("{path}: expected a PLY mesh with red, green, blue, s and t", path=path)
+    return found
+
+
+def read_looks(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None:
+    """Return the same as :func:`read_textured`; None if the file has no such looks."""
+    if path.suffix.lower() in OTHER_FORMATS:
+        return None
     found = _read_ply(path)
     if found.colours is None or found.coordinates is None:
-        raise InputError("{path}: expected a PLY mesh with red, green, blue, s and t", path=path)
+        return None
     return *checked(path, found.vertices, found.triangles), found.colours, found.coordinates
 
 

@@ -46,6 +46,7 @@ FEATURES |= {
     "rabbit.fur": Feature((COMBINE,)),
     "dragon.sheen": Feature((CUBE_MAP, COMBINE), 3),
     "dragon.wet": Feature((CUBE_MAP, COMBINE), 4),
+    "dragon.wet on scales alone": Feature((CUBE_MAP, COMBINE, CROSSBAR), 4, silent=True),
     "overlay.sheen": Feature((CUBE_MAP,), 2),
     "overlay.blade": Feature((CUBE_MAP,), 2),
     "reflection.rippled in one pass": Feature((COMBINE, CROSSBAR), 3),

@@ -309,23 +309,25 @@ BEST_FIXES: tuple[Fix, ...] = (
         "Scales",
         "close_dragon",
         40.0,
-        {"dragon.scaly": False},
-        {"dragon.scaly": True},
+        {"dragon.scaly": False, "dragon.gloss": 0.5},
+        {"dragon.scaly": True, "dragon.mesh": "serpent.ply"},
         "The dragon has the texture of 2006, which the rabbit has, too. At arm's length it is a "
         "smear.",
-        "Look at the curve of the body. Before, it is as smooth as plastic; after, it has scales, "
-        "as large on the neck as on the tail.",
-        "A cellular texture: points are scattered over a tile, each texel belongs to its nearest "
-        "point, and the difference to the distance of the next one draws the furrows. It is made "
-        "when the scene opens, and multiplied by the vertices' colours. The scales have no "
-        "direction, so that nothing shows where the projections along two axes meet.",
+        "Look at the curve of the body. Before, it is as smooth as plastic, and its crest is as "
+        "thick as a wall; after, scales overlap towards the tail, larger ones stand in rows, and "
+        "light comes through the membranes between the spines.",
+        "The mesh has texture coordinates along its body, the same on both sides: scales have a "
+        "direction, and are painted as light from above shows them. The texture is made when the "
+        "scene opens, and multiplied by the vertices' colours. Its alpha is how much each texel "
+        "mirrors of sky and sun. The flesh is smooth, as relief of the size of its triangles would "
+        "break up what it mirrors. Membranes are sheets, blended after the sea.",
         (
             "the dragon's body leaving the sea, its skin smooth",
-            "the same body covered with scales",
+            "the body covered with scales, ragged membranes between its spines",
         ),
         common={
             **SEA_OF_BEST,
-            **{"dragon.mapping": "axis", "dragon.painted": True, "dragon.gloss": 0.5},
+            **{"dragon.mapping": "axis", "dragon.painted": True},
             **{"dragon.sheen": 0.8, "dragon.wet": 1.0, "water.repeat": 7.0},
         },
         only=("water", "sky", "dragon", "ground", "fog"),

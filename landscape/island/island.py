@@ -211,6 +211,7 @@ class Island(OfElements[Settings]):
         draw("stones", frame)
         draw("ground", frame)
         draw("dragon", frame)
+        self._draw_membranes(frame)
         if terrain is not None:
             with drawing("water"):
                 under.lay_net(frame, lambda: draw("ground", frame, terrain.send))
@@ -262,6 +263,7 @@ class Island(OfElements[Settings]):
         if water:
             draw("ring", frame)
             draw("water", frame)
+        self._draw_membranes(frame)
         draw("mist", frame)
         self._draw_sprites(frame, sort)
 
@@ -281,6 +283,7 @@ class Island(OfElements[Settings]):
             draw("dragon", frame)
             with softened(values):
                 draw("sky", frame)
+            self._draw_membranes(frame)
             if values.reflection.castle:
                 draw("castle", frame)
             if self._sprites_shown:
@@ -288,6 +291,12 @@ class Island(OfElements[Settings]):
             self._draw_sprites(frame, sort)
 
         begin_pass("main")
+
+    def _draw_membranes(self, frame: Frame) -> None:
+        """Blend the dragon's membranes, where it has them, over what is behind."""
+        dragon = self.elements.get(FineDragon)
+        if dragon is not None:
+            self.elements.draw("dragon", frame, dragon.draw_membranes)
 
     def _begin(self, moment: Moment) -> Frame:
         """Begin a frame with the island's own camera, sun and fog."""

@@ -14,6 +14,7 @@ import numpy as np
 
 from framelens.base.errors import InputError
 from landscape.elements.atlas import CELLS
+from landscape.elements.best.animals.skinned import read_skinned
 from landscape.elements.best.sprites.individuals import FIRST
 from landscape.elements.best.stones.shapes import read_shapes
 from landscape.elements.places_file import read_places
@@ -108,6 +109,7 @@ STRIPS = {TILES_FILE: (SIDE, SIDE), PLANTS_FILE: (SIDE, SIDE)}
 STONES = "stones.ply"  # many shapes in a row
 MESHES = {"rabbit.ply": 8171, "dragon.ply": 22998, STONES: 1349}
 TEXTURED = {"castle_hall.ply": 9030}  # vertices of meshes that are neither closed nor lit
+SKINNED = {"serpent.ply": 45_992}  # faces at most: as many as the dragon of 2006 has
 TILES = (
     "ground_detail.png",
     "ground_sand.png",
@@ -178,7 +180,7 @@ class Finding:
 def check_files(assets: Assets) -> Iterator[Finding]:
     """Check that every asset exists with its size and mode, and the size of all together."""
     total = 0
-    for name in (*SIZES, *MESHES, *TEXTURED, *ENVIRONMENTS, *PLACES_FILES):
+    for name in (*SIZES, *MESHES, *TEXTURED, *SKINNED, *ENVIRONMENTS, *PLACES_FILES):
         path = assets.path(name)
         total += path.stat().st_size
         if name not in SIZES:
@@ -355,6 +357,25 @@ def check_textured(assets: Assets) -> Iterator[Finding]:
         yield Finding(name, "coordinates", low >= 0.0 and high <= 1.0, text, {"high": high})
 
 
+def check_skinned(assets: Assets) -> Iterator[Finding]:
+    """Check the number of faces of meshes that are cut into charts, and that the solid is whole."""
+    for name, most in SKINNED.items():
+        found = read_skinned(assets, name, name)
+        if found is None:
+            yield Finding(name, "skin", False, "expected colours and texture coordinates")
+            continue
+        count = len(found.flesh.triangles) + len(found.membranes.triangles)
+        text = (
+            f"{count:,} faces, {len(found.membranes.triangles):,} of membranes (at most {most:,})"
+        )
+        yield Finding(name, "count", count <= most, text, {"faces": count})
+        text = "closed" if found.closed else "open edges besides those of its charts"
+        yield Finding(name, "watertight", found.closed, text)
+        inside = volume(found.flesh.vertices, found.flesh.triangles)
+        text = f"volume {inside:+.3f} (positive if faces point outward)"
+        yield Finding(name, "winding", inside > 0, text, {"volume": inside})
+
+
 def check_environments(assets: Assets) -> Iterator[Finding]:
     """Check the size of each map, the length of its path, and that it uses the range of heights."""
     for name in ENVIRONMENTS:
@@ -388,6 +409,7 @@ CHECKS: tuple[Callable[[Assets], Iterator[Finding]], ...] = (
     check_heights,
     check_meshes,
     check_textured,
+    check_skinned,
     check_environments,
     check_places,
 )

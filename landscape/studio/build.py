@@ -44,6 +44,7 @@ MODULES = (
     "plants.sward",
     "animals.rabbit",
     "animals.dragon",
+    "animals.serpent",
     "castle.sword",
     "hall.stone",
     "hall.bake",

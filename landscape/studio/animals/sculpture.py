@@ -253,6 +253,16 @@ def is_closed(faces: np.ndarray) -> bool:
     )
 
 
+def shaped(
+    field: Field[Data], data: Data, low: np.ndarray, high: np.ndarray, step: float, count: int
+) -> Mesh:
+    """Convert ``field`` to a closed mesh of exactly ``count`` vertices, in the field's frame."""
+    vertices, faces = triangulate(field, data, low, high, step)
+    vertices = relax(vertices, faces, RELAX_ROUNDS)
+    vertices, faces = collapse_to(*_reduce(vertices, faces, count), count)
+    return fair(field, data, vertices, faces, 0.5 * step), faces
+
+
 def sculpt(
     field: Field[Data],
     data: Data,
@@ -267,10 +277,7 @@ def sculpt(
 
     ``paint`` returns the vertex colours from positions and normals (n, 3) in the field's frame.
     """
-    vertices, faces = triangulate(field, data, low, high, step)
-    vertices = relax(vertices, faces, RELAX_ROUNDS)
-    vertices, faces = collapse_to(*_reduce(vertices, faces, count), count)
-    vertices = fair(field, data, vertices, faces, 0.5 * step)
+    vertices, faces = shaped(field, data, low, high, step, count)
     colours = paint(vertices, point_normals(vertices, faces), paint_data)
     lowest, highest = vertices.min(axis=0), vertices.max(axis=0)
     vertices = (vertices - (lowest + highest) / 2) / ((highest - lowest).max() / 2)

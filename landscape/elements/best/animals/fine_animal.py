@@ -61,13 +61,14 @@ class FineAnimal(Animal):
         place: tuple[float, float, float],
         yaw_deg: float,
         scale: float,
+        charts: np.ndarray | None = None,
     ) -> None:
         """Scale a mesh of -1..1 to ``scale`` units and place it at ``place``.
 
-        ``lay`` gives a mesh its texture coordinates. ``source`` is the cache key of the mesh and
-        its coordinates.
+        ``lay`` gives a mesh its texture coordinates, unless it has them, in ``charts`` (n,).
+        ``source`` is the cache key of the mesh and its coordinates.
         """
-        self._lay, self._source = lay, source
+        self._lay, self._source, self._charts = lay, source, charts
         super().__init__(settings, assets, mesh, place, yaw_deg, scale)
 
     def _compile(self, mesh: Mesh) -> dict[float, DisplayList]:
@@ -75,7 +76,7 @@ class FineAnimal(Animal):
         cubes = CUBES if self.settings.camera.lod_pixels > 0.0 else CUBES[:1]
         levels = recall(
             ["levels of detail", repr(cubes), *self._source],
-            lambda: packed(levels_of_detail(mesh, self._lay, cubes)),
+            lambda: packed(levels_of_detail(mesh, self._lay, cubes, self._charts)),
         )
         # All at once: lists that are made and deleted later would fragment memory.
         return {

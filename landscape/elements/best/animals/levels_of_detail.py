@@ -18,15 +18,21 @@ AT_MOST = 0.85  # chosen: a level has at most this fraction of the finer level's
 Levels = dict[float, Mesh]
 
 
-def levels_of_detail(mesh: Mesh, lay: Callable[[Mesh], Mesh], cubes: Sequence[float]) -> Levels:
+def levels_of_detail(
+    mesh: Mesh,
+    lay: Callable[[Mesh], Mesh],
+    cubes: Sequence[float],
+    charts: np.ndarray | None = None,
+) -> Levels:
     """Return a mesh's levels, ready to be drawn, by the side of the cubes that made them.
 
-    ``lay`` gives a mesh its texture coordinates. A level that saves too little is left out.
+    ``lay`` gives a mesh its texture coordinates, unless it has them, in ``charts`` (n,). A level
+    that saves too little is left out.
     """
     levels: Levels = {}
     most = math.inf
     for cube in cubes:
-        level = clustered(mesh, cube) if cube else mesh
+        level = clustered(mesh, cube, charts) if cube else mesh
         if len(level.triangles) <= most:
             levels[cube] = gathered(lay(level))
             most = AT_MOST * len(level.triangles)

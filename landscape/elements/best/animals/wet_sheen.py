@@ -33,6 +33,8 @@ from landscape.gl.features import possible
 
 SIDE = 32  # chosen: texels per side of a face of the map of Fresnel's law
 SUN_SIZE = 0.15  # chosen: radians, of the sun as wet scales mirror it
+HALO = 0.16  # chosen: brightness of the halo about it
+SPREAD = 0.55  # chosen: the same, on scales of which each lies in a slightly different way
 BAND = 0.085  # chosen: height of the wetted band on a mesh of -1..1
 SOAKED = (0.40, 0.44, 0.48)  # chosen: what water in the pores leaves of the colour
 HEAD_ON = 0.10  # chosen: what is mirrored by a surface that faces the viewer; water's is 0.02
@@ -48,10 +50,10 @@ def mirrored_part(facing: np.ndarray) -> np.ndarray:
     return np.asarray(np.where(facing < 0, 1.0, HEAD_ON + (1 - HEAD_ON) * grazing))
 
 
-def glints(sun: Sun) -> np.ndarray:
-    """Return the faces of a cube map of the sun alone, uint8 (6, n, n, 1), with a faint halo."""
+def glints(sun: Sun, halo: float = HALO) -> np.ndarray:
+    """Return the faces of a cube map of the sun alone, uint8 (6, n, n, 1), with a halo."""
     away = np.arccos(np.clip(face_directions(surroundings.SIDE) @ direction(sun), -1.0, 1.0))
-    disc = np.exp(-((away / SUN_SIZE) ** 2)) + 0.16 * np.exp(-((away / (4 * SUN_SIZE)) ** 2))
+    disc = np.exp(-((away / SUN_SIZE) ** 2)) + halo * np.exp(-((away / (4 * SUN_SIZE)) ** 2))
     shown = 255.0 * disc[..., None] * max(sun.diffuse)
     return np.rint(np.clip(shown, 0.0, 255.0)).astype(np.uint8)
 
@@ -84,12 +86,20 @@ def built_from(settings: Settings) -> tuple[object, ...]:
 class WetSheen:
     """The maps and their use."""
 
-    def __init__(self, settings: Settings, assets: Assets) -> None:
-        """Upload the maps."""
+    def __init__(self, settings: Settings, assets: Assets, masked: bool = False) -> None:
+        """Upload the maps.
+
+        With ``masked`` the alpha of the surface's own texture is how much it mirrors, of the sun,
+        too.
+        """
+        self._masked = masked
         self._wet = settings.dragon.wet > 0.0 and possible("dragon.wet")
+        self._one_by_one = possible("dragon.wet on scales alone")
         around = surroundings.surroundings(settings, assets)
         if self._wet:
-            around = np.concatenate([around, glints(settings.sun)], axis=-1)
+            around = np.concatenate(
+                [around, glints(settings.sun, SPREAD if masked else HALO)], axis=-1
+            )
         diffuse = np.array(settings.sun.diffuse, np.float32)
         self._sun_colour = diffuse / max(float(diffuse.max()), 1e-6)
         self._around = CubeMap(around, trilinear=False)
@@ -97,11 +107,11 @@ class WetSheen:
         self._part = CubeMap(np.repeat(part[..., None], 4, axis=-1), mipmaps=False)
 
     @classmethod
-    def made(cls, settings: Settings, assets: Assets) -> "WetSheen | None":
-        """Return the sheen if it is wanted and this OpenGL can show it."""
+    def made(cls, settings: Settings, assets: Assets, masked: bool = False) -> "WetSheen | None":
+        """Return the sheen if it is wanted and this OpenGL can show it; ``masked`` as above."""
         if settings.dragon.sheen <= 0.0 or not possible("dragon.sheen"):
             return None
-        return cls(settings, assets)
+        return cls(settings, assets, masked)
 
     @contextmanager
     def shining(self, frame: Frame, strength: float, wet: float = 0.0) -> Iterator[None]:
@@ -119,6 +129,8 @@ class WetSheen:
             combine({"SRC0_ALPHA": "TEXTURE", "SRC1_ALPHA": "CONSTANT"})
             constant = np.array([0.0, 0.0, 0.0, strength], np.float32)
             gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
+            if self._masked:
+                self._mask(constant)
 
             gl.glActiveTexture(gl.GL_TEXTURE2)
             gl.glEnable(kind)
@@ -128,6 +140,8 @@ class WetSheen:
             combine({"SRC2_RGB": "PREVIOUS", "OPERAND2_RGB": "SRC_ALPHA"})
             found = "TEXTURE" if self._wet else "PREVIOUS"
             combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": found})
+            if self._masked and self._wet and self._one_by_one:
+                combine({"COMBINE_ALPHA": "MODULATE", "SRC1_ALPHA": "TEXTURE0"})
 
             with texture_matrix(frame.to_world):
                 if self._wet:
@@ -137,6 +151,14 @@ class WetSheen:
                     yield
                 finally:
                     gl.glActiveTexture(gl.GL_TEXTURE2)
+
+    def _mask(self, constant: np.ndarray) -> None:
+        """Let unit 0 leave the texture's alpha times that of ``constant``, and unit 1 use it."""
+        combine({"SRC1_ALPHA": "PREVIOUS"})
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "TEXTURE", "SRC1_RGB": "PREVIOUS"})
+        combine({"COMBINE_ALPHA": "MODULATE", "SRC0_ALPHA": "TEXTURE", "SRC1_ALPHA": "CONSTANT"})
+        gl.glTexEnvfv(gl.GL_TEXTURE_ENV, gl.GL_TEXTURE_ENV_COLOR, constant)
 
     def _add_sun(self, wet: float) -> None:
         """Set unit 3: the sun's colour by the alpha of unit 2."""
