@@ -528,3 +528,10 @@ def test_the_meadow_takes_the_colours_of_the_ground(stage: Stage, plain: Assets)
     assert len(blades) > 500
     red, green, blue = np.median(blades, axis=0)
     assert green / red == pytest.approx(2.0, abs=0.2) and green / blue == pytest.approx(3, abs=0.3)
+
+
+def test_a_cell_without_a_suitable_place_has_no_tufts(monkeypatch: pytest.MonkeyPatch) -> None:
+    grown = growth(sward=True, tufts=6, fade=True, tinted=True)
+    monkeypatch.setattr(grown, "suits", lambda x, z: np.zeros(len(x)))
+    tufts = grown.sown([3210], [200])
+    assert len(tufts) == 0 and len(grown.blades(tufts).positions) == 0

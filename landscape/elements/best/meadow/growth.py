@@ -279,7 +279,8 @@ class Growth:
         first = np.cumsum(counts) - counts
         longest = ranges[first].astype(np.float32)
         x, z = roots.T
-        of_tufts = np.array([lots[name] for name in self._of_tufts]).reshape(-1, len(counts))
+        of_tufts = np.array([lots[name] for name in self._of_tufts])
+        of_tufts = of_tufts.reshape(len(self._of_tufts), len(counts))
         of_blades = np.array([lots[name] for name in self._of_blades])
         self.tufts.add(
             len(counts),
