@@ -7,7 +7,7 @@ random numbers. Tufts take *shape* when they are first seen: half of what is sow
 No OpenGL here.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -160,14 +160,15 @@ class Growth:
         if missing:
             self._sow(missing)
 
-        each, found = max(self._settings.grass.tufts, 1), []
+        each = max(self._settings.grass.tufts, 1)
+        firsts, counts = [], []
         for number, least in zip(cells, wanted, strict=True):
             for first, tufts, _ in self._cells[number].layers:
                 if first < least:
-                    end = min(tufts.stop, tufts.start - (first - least) // each)
-                    found.append(np.arange(tufts.start, end))
+                    firsts.append(tufts.start)
+                    counts.append(min(tufts.stop - tufts.start, -((first - least) // each)))
 
-        return np.concatenate(found) if found else np.empty(0, int)
+        return spans(np.array(firsts, int), np.array(counts, int))
 
     def blades(self, tufts: np.ndarray) -> Patch:
         """Return the blades of tufts, given by their rows (t,), one after another."""
@@ -207,11 +208,8 @@ class Growth:
             self.counts[number] = self.shared[number]
 
         layers = [layer for cell in self._cells.values() for layer in cell.layers]
-        tufts = [np.arange(layer.tufts.start, layer.tufts.stop) for layer in layers]
-        blades = [np.arange(layer.blades.start, layer.blades.stop) for layer in layers]
-        nothing = [np.empty(0, int)]
-        self.tufts.keep(np.concatenate(nothing + tufts))
-        self._blades.keep(np.concatenate(nothing + blades))
+        self.tufts.keep(covered(layer.tufts for layer in layers))
+        self._blades.keep(covered(layer.blades for layer in layers))
         counts = self.tufts["blades"]
         self.tufts["first"][:] = np.cumsum(counts) - counts
         at = 0, 0
@@ -311,3 +309,9 @@ class Growth:
         for name in ARRAYS:
             self._blades[name][rows] = getattr(shaped, name)
         self.tufts["shaped"][tufts] = True
+
+
+def covered(rows: Iterable[slice]) -> np.ndarray:
+    """Return the numbers (n,) of all rows of several slices."""
+    ends = np.array([(each.start, each.stop) for each in rows], int).reshape(-1, 2)
+    return spans(ends[:, 0], ends[:, 1] - ends[:, 0])

@@ -38,7 +38,8 @@ class Rows:
 
     def keep(self, which: np.ndarray) -> None:
         """Keep these rows only, in this order."""
-        self._arrays = {name: self.take(name, which) for name in self._arrays}
+        for array in self._arrays.values():
+            array[: len(which)] = array.take(which, axis=0)
         self.count = len(which)
 
 
