@@ -6,25 +6,25 @@ from landscape.scene.scene import View
 CLOSE_VIEWS = (
     View(
         "close_shore",
-        "waves run up the sand before one's feet",
-        Pose(14.0, 0.72, 29.95, 165.0, -6.0),
-        80.0,
+        "wet sand and stones at the water's edge",
+        Pose(14.6, 0.72, 28.9, 215.0, -12.0),
+        81.0,
         settings={
-            "camera.fov": 20.0,
-            "camera.lens": 0.005,
-            "camera.focus": 0.55,
+            "camera.fov": 26.0,
+            "camera.lens": 0.004,
+            "camera.focus": 0.42,
             "camera.lens_points": 96,
         },
     ),
     View(
         "close_water",
         "the sea, a few steps away",
-        Pose(9.0, 0.75, 32.0, 200.0, -7.0),
+        Pose(12.5, 0.75, 30.5, 20.0, -6.0),
         40.0,
         settings={
-            "camera.fov": 18.0,
-            "camera.lens": 0.004,
-            "camera.focus": 1.2,
+            "camera.fov": 24.0,
+            "camera.lens": 0.003,
+            "camera.focus": 0.8,
         },
     ),
     View(
