@@ -16,6 +16,7 @@ from landscape.elements.best.animals.fine_rabbit import FineRabbit
 from landscape.elements.best.animals.fur import (
     COMBED,
     EARS,
+    Fur,
     combed_planes,
     eyes,
     glints,
@@ -382,3 +383,13 @@ def test_fur_makes_the_outline_ragged_near_by_and_is_not_drawn_far_away(
 
     assert differing(21.0) > 100
     assert differing(60.0) == 0
+
+
+def test_fewer_shells_are_drawn_where_a_hair_is_shorter_than_a_pixel_and_the_outermost_always(
+    stage: Stage, shipped: Assets
+) -> None:
+    with stage.borrowed():
+        fur = Fur(read_painted(shipped, "rabbit.ply", "key", True), "rabbit", 0.044, 6)
+        drawn = {seen: [number for number, _ in fur.drawn(seen)] for seen in (1.0, 0.5, 0.01)}
+        fur.release()
+    assert drawn == {1.0: [0, 1, 2, 3, 4, 5], 0.5: [1, 3, 5], 0.01: [2, 5]}

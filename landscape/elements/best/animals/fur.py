@@ -232,7 +232,7 @@ class Fur:
         least, all_seen = APPEARS
         return min(max((self._hair * pixels - least) / (all_seen - least), 0.0), 1.0)
 
-    def _drawn(self, seen: float) -> list[tuple[int, DisplayList]]:
+    def drawn(self, seen: float) -> list[tuple[int, DisplayList]]:
         """Return the shells to draw, by their numbers: the outermost always."""
         every = 1 + round((SKIPPED - 1) * (1.0 - seen))
         numbered = list(enumerate(self._lists))
@@ -246,7 +246,7 @@ class Fur:
         with cut_out(), attrib(gl.GL_TEXTURE_BIT):
             self._texture.bind()
             combine_heights()
-            for k, layer in self._drawn(seen):
+            for k, layer in self.drawn(seen):
                 cut = (k + 0.5) / (len(self._lists) + 1)
                 cut += SPARSE * (1.0 - seen) * (1.0 - cut)
                 least = np.array((0.0, 0.0, 0.0, max(cut - STRENGTH, 0.0)), np.float32)
