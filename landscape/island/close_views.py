@@ -117,8 +117,13 @@ CLOSE_VIEWS = (
     View(
         "close_dragon",
         "the dragon's body where it leaves the water",
-        Pose(11.3, 0.75, 29.6, 330.0, 5.0),
+        Pose(11.3, 0.8, 29.6, 329.0, 0.0),
         40.0,
+        settings={
+            "camera.fov": 42.0,
+            "camera.lens": 0.003,
+            "camera.focus": 0.35,
+        },
     ),
     View(
         "close_peak",
