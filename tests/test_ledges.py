@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from landscape.elements.best.terrain.ledges import FINER, LedgedField, relief
+from landscape.elements.best.terrain.materials import ROCK, SAND, TURF
 from landscape.elements.best.terrain.rock_faces import (
     LEVELS,
     PLANES,
@@ -13,6 +14,8 @@ from landscape.elements.best.terrain.rock_faces import (
     blocks,
     grain,
     in_planes,
+    lit_rock,
+    lowest,
     with_grain,
 )
 from landscape.geometry.height_field import HeightField, ground_mesh
@@ -62,17 +65,17 @@ def test_turf_and_gentle_ground_have_no_ledges() -> None:
     assert relief(gentle, painted(GREY), 1.0).max() == 0.0
 
 
-def rock(ledged: LedgedField) -> list[Block]:
-    """Return the blocks of the pyramid's rock."""
+def rock(ledged: LedgedField, label: int = ROCK) -> list[Block]:
+    """Return regions and blocks of the pyramid's rock, whose triangles all have one label."""
     mesh = with_grain(ground_mesh(pyramid(), (24.0, 18.0, 5.4, 1.0)))
     colors = np.full((len(mesh.vertices), 4), 255, np.uint8)
     mesh = replace(mesh, colors=colors)
-    labels = np.full(len(mesh.triangles), 4)
-    return blocks(ledged, mesh, RATES, labels, np.array([0.5, 0.7, 0.5]))
+    labels = np.full(len(mesh.triangles), label)
+    return blocks(ledged, mesh, RATES, labels)
 
 
 def test_the_walker_stands_on_the_triangles_that_are_drawn(ledged: LedgedField) -> None:
-    found = rock(ledged)
+    found = [block for block in rock(ledged) if block.region >= 0]
     assert found
     for block in found:
         assert len(block.meshes) == len(LEVELS)
@@ -82,6 +85,39 @@ def test_the_walker_stands_on_the_triangles_that_are_drawn(ledged: LedgedField) 
             assert np.abs(ledged.terrain_height(x, z) - y).max() < 1e-4
         counts = [len(each.triangles) for each in block.meshes]
         assert counts == sorted(counts, reverse=True)
+
+
+def test_a_region_has_the_cells_of_its_blocks(ledged: LedgedField) -> None:
+    found = rock(ledged)
+    regions = [block for block in found if block.region < 0]
+    assert found[: len(regions)] == regions, "blocks name them by their numbers"
+    for k, region in enumerate(regions):
+        own = [block for block in found if block.region == k]
+        cells = [len(block.meshes[0].triangles) // (2 * FINER * FINER) for block in own]
+        assert sum(cells) == len(region.meshes[-1].triangles) // 2
+        assert {block.mixture for block in own} == {region.mixture}
+        assert np.array_equal(region.low, np.min([block.low for block in own], axis=0))
+        assert np.array_equal(region.high, np.max([block.high for block in own], axis=0))
+
+
+def test_rock_that_stands_out_is_looked_up_as_rock_alone(ledged: LedgedField) -> None:
+    assert ledged.relief is not None
+    heights = ledged.relief.heights
+    cells = SIDE - 1
+    for r, c in ((10, 12), (13, 4)):
+        own = heights[r * FINER : (r + 1) * FINER + 1, c * FINER : (c + 1) * FINER + 1]
+        assert lowest(heights, cells)[r, c] == own.min()
+    assert {block.mixture for block in rock(ledged, TURF | ROCK)} == {ROCK, TURF | SAND | ROCK}
+    assert {block.mixture for block in rock(ledged)} == {ROCK}
+
+
+def test_the_light_on_the_relief_is_in_the_large_colours(ledged: LedgedField) -> None:
+    sun = np.array([0.5, 0.7, 0.5])
+    colours = np.full((128, 128, 4), 120, np.uint8)
+    lit = lit_rock(colours, ledged, sun)
+    assert np.array_equal(lit[..., 3], colours[..., 3])
+    assert (lit[:4] == 120).all(), "there is no rock in the sea"
+    assert lit[..., :3].min() < 90 and lit[..., :3].max() > 130
 
 
 def stretches(mesh: Mesh, layer: int, rate: float) -> np.ndarray:
@@ -99,7 +135,7 @@ def stretches(mesh: Mesh, layer: int, rate: float) -> np.ndarray:
 
 @pytest.mark.seldom(3, first=1)
 def test_rock_that_stands_is_looked_up_from_in_front(ledged: LedgedField) -> None:
-    meshes = [block.meshes[0] for block in rock(ledged)]
+    meshes = [block.meshes[0] for block in rock(ledged) if block.region >= 0]
     stretched = np.concatenate([stretches(mesh, 2, RATES[2]) for mesh in meshes])
     assert np.median(stretched) < 1.15 and np.quantile(stretched, 0.98) < 2.0
     flat = [replace(mesh, coordinates=(mesh.vertices[:, ::2],)) for mesh in meshes]

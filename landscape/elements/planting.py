@@ -77,7 +77,7 @@ def clear_land(settings: Settings, field: HeightField, castle: float = CASTLE) -
     """Return a function x, z -> 1 on land, 0 in the water, near the castle and in the rabbit."""
 
     def suits(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-        free = field.terrain_height(x, z) > settings.water.level + SHORE
+        free = field.broad.terrain_height(x, z) > settings.water.level + SHORE
         for thing, radius in ((settings.castle, castle), (settings.rabbit, settings.rabbit.scale)):
             free &= np.hypot(x - thing.x, z - thing.z) > radius
         return free.astype(float)

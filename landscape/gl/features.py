@@ -39,7 +39,8 @@ FEATURES |= {
     # The island.
     "ground.detail_texture": Feature((COMBINE,), 2),
     "ground.materials": Feature((COMBINE, CROSSBAR), 4),
-    "ground.ledges": Feature((COMBINE, CROSSBAR), 6),
+    "ground.ledges": Feature((COMBINE, CROSSBAR), 4),
+    "the grain of rock with ledges": Feature((COMBINE, CROSSBAR), 5),
     "castle.multitexture": Feature((COMBINE, CROSSBAR), 3),
     "castle.ornate": Feature((COMBINE,), 2),
     "the ornate castle's gate in one layer": Feature((COMBINE, CROSSBAR), 4),

@@ -266,8 +266,8 @@ BEST_FIXES: tuple[Fix, ...] = (
         "gullies run down between them, and the rock has a grain at arm's length.",
         "Cells of steep ground are drawn again as 8 x 8 finer ones, before the ground, so that the "
         "depth test rejects what is beneath. The heights are made once; the walker stands on them. "
-        "Two more texture units multiply by a fine grain and by the vertices' colour, which holds "
-        "the light on the ledges.",
+        "The light on the ledges is in the large texture. Beside the eye one more texture unit "
+        "multiplies by a fine grain, and far away a cell has two triangles.",
         (
             "a mountain slope of smooth rock with a straight skyline",
             "the same slope broken into ledges and gullies, with a jagged skyline",

@@ -13,7 +13,6 @@ from scipy.spatial import cKDTree
 from landscape.studio.images import smoothstep, spectral_noise, to_uint8
 from landscape.studio.land.ground import DETAIL, draw_pebbles
 
-RIPPLES = 11  # chosen: twice this many in one direction, once in the other
 ROCK = 1024  # chosen: repeated every 2 units, and seen from near and far
 
 # Chosen: number of faces along a side, seed, warp of their borders in texels, strength.
@@ -37,16 +36,6 @@ def shade_slopes(height: np.ndarray) -> np.ndarray:
     return np.asarray((-0.6 * dx - 0.8 * dy) / np.sqrt(1.0 + dx * dx + dy * dy))
 
 
-def ripples(n: int) -> np.ndarray:
-    """Return the heights in texels (n, n), tileable, of sand ripples that fork and fade out."""
-    rows, columns = np.indices((n, n)) / n
-    bent = 0.55 * spectral_noise(n, 2.2, 66, 2.0) + 0.10 * spectral_noise(n, 1.6, 67, 8.0)
-    phase = (RIPPLES * (rows + 0.5 * columns) * 2.0 + 2.2 * bent) % 1.0
-    # Steep on one side, as the wind leaves them.
-    wave = np.where(phase < 0.7, phase / 0.7, (1.0 - phase) / 0.3)
-    return np.asarray(wave * smoothstep(-0.7, 0.6, spectral_noise(n, 2.0, 68, 2.0)))
-
-
 def draw_roots(tone: np.ndarray, hue: np.ndarray, count: int, rng: np.random.Generator) -> None:
     """Draw dry stalks and roots, in place: bright lines with a shadow, warm in hue."""
     n = len(tone)
@@ -63,19 +52,29 @@ def draw_roots(tone: np.ndarray, hue: np.ndarray, count: int, rng: np.random.Gen
             hue[row, column] += 1.2
 
 
+def crust(n: int) -> np.ndarray:
+    """Return the heights in texels (n, n), tileable, of earth: hollows, clods and plain patches.
+
+    No direction is preferred: ripples side by side would look like scales on a slope.
+    """
+    hollows = spectral_noise(n, 1.9, 62, 7.0)
+    clods = np.maximum(spectral_noise(n, 1.3, 69, 22.0) - 0.5, 0.0)
+    crumbs = np.maximum(spectral_noise(n, 0.9, 66, 60.0) - 0.9, 0.0)
+    rough = smoothstep(-0.4, 1.0, spectral_noise(n, 2.2, 68, 3.0))
+    return np.asarray(1.1 * hollows + rough * (1.0 * clods + 0.9 * crumbs))
+
+
 def ground_sand() -> np.ndarray:
-    """Return sand and earth: ripples, clods, stones, roots, tileable uint8 (n, n, 3)."""
+    """Return sand and earth: clods, grit, stones, roots, tileable uint8 (n, n, 3)."""
     n = DETAIL
     grain = spectral_noise(n, 0.15, 61, 90.0)
-    dimples = spectral_noise(n, 1.7, 62, 12.0)
-    clods = np.maximum(spectral_noise(n, 1.2, 69, 26.0) - 0.8, 0.0)
-    light = shade_slopes(1.5 * dimples + 2.4 * ripples(n) + 1.5 * clods)
-    tone = 0.06 * grain + 0.55 * light + 0.05 * spectral_noise(n, 1.1, 63, 10.0)
-    tone = high_pass(tone, 0.15, 60.0) + 0.5
+    light = shade_slopes(crust(n))
+    tone = 0.10 * grain + 0.55 * light + 0.10 * spectral_noise(n, 1.1, 63, 8.0)
+    tone = high_pass(tone, 0.12, 60.0) + 0.5
     hue = 0.5 * spectral_noise(n, 0.8, 64, 20.0)
     rng = np.random.default_rng(65)
-    draw_roots(tone, hue, 70, rng)
-    draw_pebbles(tone, np.zeros((n, n)), hue, 150, rng)
+    draw_roots(tone, hue, 40, rng)
+    draw_pebbles(tone, np.zeros((n, n)), hue, 90, rng)
     tone -= tone.mean()
     rgb = np.stack([tone + 0.008 * hue, tone, tone - 0.014 * hue], axis=-1)
     return to_uint8(rgb - rgb.mean(axis=(0, 1)) + 0.5)

@@ -36,7 +36,7 @@ def herb_chances(
 
     Flowers and heather come in drifts of a unit or two; a place that suits no herb stays bare.
     """
-    field = ground.field
+    field = ground.field.broad
     level = settings.water.level
     species = settings.plants.species
     woods = woodland(seed)

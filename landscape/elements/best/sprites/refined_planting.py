@@ -201,7 +201,9 @@ class Habitat:
         trees, field = self.settings.trees, self.ground.field
         edge = 1.0 - woods(positions[:, 0], positions[:, 2])
         level = self.settings.water.level
-        cells = species_by_place(positions, level, trees.species, rng, edge)
+        grown = positions.copy()
+        grown[:, 1] = field.broad.height(positions[:, 0], positions[:, 2])
+        cells = species_by_place(grown, level, trees.species, rng, edge)
         if not trees.variety:
             lower = np.where(cells == SHRUB, rng.uniform(0.4, 0.75, len(cells)), 1.0)
             return positions, sizes * lower[:, None], cells, cells
@@ -216,7 +218,7 @@ class Habitat:
 
 def in_woods(kind: str, settings: Settings, ground: Ground, clear: Chance, woods: Chance) -> Chance:
     """Return where one kind of sprite grows on an island of woods and meadows."""
-    field, level = ground.field, settings.water.level
+    field, level = ground.field.broad, settings.water.level
 
     def trees(x: np.ndarray, z: np.ndarray) -> np.ndarray:
         free = clear(x, z) * outside_glades(x, z)

@@ -22,8 +22,9 @@ from landscape.geometry.ramp import ramp
 
 FINER = 8  # chosen: cells of the relief along the side of a cell of the height field
 # All chosen, in units.
-STEEP = (0.38, 0.75)  # rise over run between which ground turns to rock with ledges
-ABOVE = (0.10, 0.45)  # above the water, between which ledges begin
+STEEP = (0.30, 0.62)  # rise over run between which ground turns to rock with ledges
+ABOVE = (0.03, 0.20)  # above the water, between which ledges begin
+TALL, LOW = (0.15, 0.9), 0.3  # above the water; how much of the large relief is on low rock
 BEDS = ((0.42, 0.20), (0.13, 0.06))  # thickness of a bed, and how far its ledge stands out
 GULLY = 0.20  # depth of a gully
 RUN = 13  # steps down the slope over which a gully is one
@@ -139,12 +140,17 @@ def relief(field: HeightField, colours: np.ndarray, strength: float, seed: int =
     bed = broad + DIP[0] * fine[None, :] + DIP[1] * fine[:, None]
     bed = bed + 0.22 * noise(rng, 2.5, side, unit) + 0.07 * rough
     found = np.zeros((side, side))
-    for (thickness, out), patch in zip(BEDS, (3.0, 0.9), strict=True):
+    # What is low has low relief: on a bank half a unit high a knob of a peak would be a hill.
+    tall = ramp(*TALL, broad - field.water_level)
+    low = LOW + (1.0 - LOW) * tall
+    same = np.ones_like(low)
+    for (thickness, out), patch, grows in zip(BEDS, (3.0, 0.9), (low, same), strict=True):
         here = ramp(-0.7, 0.3, noise(rng, patch, side, unit))
-        found += out * here * stairs(bed, thickness)
-    for length, height in ROUGH:
-        found += height * (1.0 - np.abs(noise(rng, length, side, unit)) * 1.3)
+        found += out * grows * here * stairs(bed, thickness)
+    for (length, height), grows in zip(ROUGH, (low, low, same), strict=True):
+        found += height * grows * (1.0 - np.abs(noise(rng, length, side, unit)) * 1.3)
     # A gully is wider than two cells: half as many along each side are enough.
     half = (side + 1) // 2
-    found += GULLY * enlarged(gullies(rng, enlarged(field.heights, half), 2.0 * unit), side)
+    gully = enlarged(gullies(rng, enlarged(field.heights, half), 2.0 * unit), side)
+    found += GULLY * low * gully
     return np.maximum(strength * share * found, 0.0).astype(np.float32)

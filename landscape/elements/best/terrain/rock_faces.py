@@ -1,19 +1,21 @@
 """The rock of ``ground.ledges`` as it is drawn: finer triangles over those of the height field.
 
 Each cell of the height field with a relief (ledges.py) has its own small grid, drawn before the
-broad ground, so that the depth test rejects what lies beneath. The mesh is cut into blocks, each
-with a display list per level of detail: all vertices, every second, every fourth; the block's
-distance decides. The units are the ground's four, and two more: unit 4 multiplies by the rock's
-texture once again, CLOSER times as often, so that there is a grain at arm's length; unit 5
-multiplies by the vertices' colour: the sun on ledges relative to the slope that the large texture
-has its light from, shadow in gullies and under edges, lichen on what faces up, streaks where water
-runs. A cell is looked up in one of 17 planes, the one that it lies in best: what is laid down from
-above is streaks on a face that stands. Not in the report.
-Cost: no layer more (what is below is rejected), two look-ups on rock; up to 128 triangles a cell.
-State used: as the ground, with six texture units.
+broad ground, so that the depth test rejects what lies beneath. Far from the eye a region of many
+cells is one display list, with eight triangles a cell or two; a region that is close is drawn in
+blocks, each with a list per level of detail. The light on the relief is in the large texture: the
+sun on ledges relative to the slope that it has its light from, shadow in gullies and under edges,
+lichen on what faces up, streaks where water runs. So it is there at any distance, and in the mirror
+image. The units are the ground's four; beside the eye unit 4, if there is one, multiplies by the
+rock's texture once again, CLOSER times as often, so that there is a grain at arm's length. A cell
+is looked up in one of 17 planes, the one that it lies in best: what is laid down from above is
+streaks on a face that stands. Not in the report.
+Cost: no layer more (what is below is rejected); some 50 lists a frame, which cost more than their
+triangles do; beside the eye one look-up and up to 128 triangles a cell.
+State used: as the ground, with five texture units.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -24,7 +26,7 @@ from framelens.gl.named import texture_unit
 from framelens.gl.seam import gl
 from framelens.gl.state import combine
 from framelens.gl.texture import Texture, mip_levels
-from landscape.elements.best.terrain.ledges import FINER, LedgedField
+from landscape.elements.best.terrain.ledges import FINER, LedgedField, enlarged
 from landscape.elements.best.terrain.materials import ROCK, SAND, TURF, look_up
 from landscape.frame import Frame
 from landscape.geometry.culling import boxes_in_view
@@ -34,12 +36,18 @@ from landscape.gl.display_list import DisplayList, call_lists
 from landscape.gl.draw import draw_mesh
 
 # All chosen.
+EVERY = TURF | SAND | ROCK
+STANDS = 0.05  # units of relief above which rock is bare
 LEAST = 0.004  # units: a cell whose relief is nowhere higher has none
-BLOCK = 10  # cells along the side of a block
-LEVELS = ((1, 3.5), (2, 9.0), (4, np.inf))  # every how many-th vertex, up to which distance
+REGION, BLOCK = 20, 5  # cells along the side of a region and of a block in it
+# Every how many-th vertex, and up to which distance: of a block, and of a region that is not close.
+LEVELS = ((1, 0.25), (2, 0.8), (4, np.inf))
+BROAD = ((4, 9.0), (8, np.inf))
+CLOSE = 2.5  # units from the eye within which a region is drawn in blocks
 TILTS = np.radians([48.0, 8.0])  # of the planes' normals above the horizon
 CLOSER = 4.3  # times as often is the rock's texture repeated in unit 4
-GRAIN_LEVELS = 6  # mip levels in which that grain fades out
+GRAIN_LEVELS = 2  # mip levels in which that grain fades out
+GRAINED = 0.25  # units from the eye beyond which no block has it
 AMBIENT, SUNLIGHT = 0.42, 0.75  # light on rock in shadow, and the sun's on rock that faces it
 RANGE = (0.4, 1.4)  # of the factor: more would be white where the large texture is bright
 HOLLOW = ((3, 7.0), (10, 3.5))  # cells of the relief around, and how much a hollow darkens
@@ -66,31 +74,38 @@ def planes() -> np.ndarray:
 PLANES = planes()
 
 
-def lights(field: LedgedField, sun: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return normals and colours of the relief's vertices, float32 (m, m, 3), colours 1 = as is.
+def normals(heights: np.ndarray, unit: float) -> np.ndarray:
+    """Return the normals (m, m, 3) of heights (m, m) that are ``unit`` apart."""
+    along_z, along_x = np.gradient(heights, unit)
+    found = np.stack([-along_x, np.ones_like(heights), -along_z], axis=2)
+    return np.asarray(found / np.linalg.norm(found, axis=2, keepdims=True))
+
+
+def surfaces(field: LedgedField) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return the broad ground's heights and the relief on it, (m, m) each, and their distance."""
+    assert field.relief is not None
+    raised = field.relief.heights.astype(np.float64)
+    unit = field.size / (len(raised) - 1)
+    at = np.arange(len(raised)) * unit
+    return field.broad.terrain_height(at[None, :], at[:, None]), raised, unit
+
+
+def lights(field: LedgedField, sun: np.ndarray) -> np.ndarray:
+    """Return the light on the relief's vertices, float32 (m, m, 3): a factor on their colours.
 
     ``sun`` (3,) points to it.
     """
-    assert field.relief is not None
-    raised = field.relief.heights.astype(np.float64)
+    broad, raised, unit = surfaces(field)
     side = len(raised)
-    unit = field.size / (side - 1)
-    at = np.arange(side) * unit
-    broad = field.broad.terrain_height(at[None, :], at[:, None])
-
-    def normals(heights: np.ndarray) -> np.ndarray:
-        along_z, along_x = np.gradient(heights, unit)
-        found = np.stack([-along_x, np.ones_like(heights), -along_z], axis=2)
-        return np.asarray(found / np.linalg.norm(found, axis=2, keepdims=True))
 
     def blurred(heights: np.ndarray, cells: float) -> np.ndarray:
         image = Image.fromarray(heights.astype(np.float32))
         small = image.resize((max(round(side / cells), 1),) * 2, Image.Resampling.BOX)
         return np.asarray(small.resize((side, side), Image.Resampling.BICUBIC), np.float64)
 
-    fine = normals(broad + raised)
+    fine = normals(broad + raised, unit)
     sunny, was = (
-        AMBIENT + SUNLIGHT * np.maximum(each @ sun, 0.0) for each in (fine, normals(broad))
+        AMBIENT + SUNLIGHT * np.maximum(each @ sun, 0.0) for each in (fine, normals(broad, unit))
     )
     factor = sunny / was
     for cells, darker in HOLLOW:
@@ -111,17 +126,30 @@ def lights(field: LedgedField, sun: np.ndarray) -> tuple[np.ndarray, np.ndarray]
     hollow = ramp(0.0, -0.05, raised - blurred(raised, 14)) * ramp(0.85, 0.6, fine[..., 1])
     factor *= 1.0 + hollow[..., None] * (STREAK - 1.0)
     there = ramp(0.0, 0.03, raised)[..., None]
-    return fine.astype(np.float32), (1.0 + there * (factor - 1.0)).astype(np.float32)
+    return (1.0 + there * (factor - 1.0)).astype(np.float32)
+
+
+def lit_rock(colours: np.ndarray, field: LedgedField, sun: np.ndarray) -> np.ndarray:
+    """Return colours, uint8 (n, n, c), of which the first three have the light on the relief."""
+    out = colours.copy()
+    for channel, factor in enumerate(np.moveaxis(lights(field, sun), 2, 0)):
+        light = enlarged(factor, len(colours))
+        out[..., channel] = np.clip(colours[..., channel] * light + 0.5, 0, 255)
+    return out
 
 
 @dataclass(frozen=True)
 class Block:
-    """A square of rock: its meshes, the finest first, and its box's corners (3,)."""
+    """A square of rock: its meshes, the finest first, its box's corners (3,), its materials.
+
+    ``region`` is its number among the regions, -1 for a region itself.
+    """
 
     meshes: tuple[Mesh, ...]
     low: np.ndarray
     high: np.ndarray
-    turf: bool
+    mixture: int
+    region: int
 
 
 def blocks(
@@ -129,9 +157,8 @@ def blocks(
     mesh: Mesh,
     rates: tuple[float, ...],
     labels: np.ndarray,
-    sun: np.ndarray,
 ) -> list[Block]:
-    """Return the blocks of rock on a ground's ``mesh``, whose triangles have ``labels``.
+    """Return rock on a ground's ``mesh``, whose triangles have ``labels``: regions, then blocks.
 
     ``rates`` is how often each texture of ``mesh`` is repeated per unit, 0 for the large one.
     Texture coordinates and the share of rock are interpolated between the vertices of ``mesh``.
@@ -141,8 +168,12 @@ def blocks(
     cells = len(field.heights) - 1
     highest = raised[:-1, :-1].reshape(cells, FINER, cells, FINER).max(axis=(1, 3))
     used = highest > LEAST
-    soft = np.asarray((labels.reshape(cells, cells, 2) & (TURF | SAND)).any(axis=2))
-    normals, colours = lights(field, sun)
+    # A face that stands out is rock all over, whatever grows beneath. Other cells look up all
+    # materials: a block for each mixture of them would cost more than it saves.
+    soft = (labels.reshape(cells, cells, 2) & (TURF | SAND)).any(axis=2)
+    mixed = np.where(soft & (lowest(raised, cells) < STANDS), EVERY, ROCK)
+    broad, heights, _ = surfaces(field)
+    facing = normals(broad + heights, field.size / (len(heights) - 1)).astype(np.float32)
     assert mesh.colors is not None
     unit = field.size / (len(raised) - 1)
     shares = mesh.colors[:, 3].reshape(cells + 1, cells + 1).astype(np.float32)
@@ -156,8 +187,8 @@ def blocks(
         lower = values[r + 1, c] * (1 - t) + values[r + 1, c + 1] * t
         return np.asarray(upper * (1 - t[:, None]) + lower * t[:, None])
 
-    def made(of: np.ndarray) -> tuple[Mesh, ...]:
-        parts: list[list[np.ndarray]] = [[], [], [], [], *([] for _ in grids)]
+    def made(of: np.ndarray, steps: Iterable[int]) -> tuple[Mesh, ...]:
+        parts: list[list[np.ndarray]] = [[], [], [], *([] for _ in grids)]
         for r, c in of:
             rows = np.arange(FINER + 1) + r * FINER
             columns = np.arange(FINER + 1) + c * FINER
@@ -165,22 +196,21 @@ def blocks(
             own = np.ix_(rows, columns)
             y = field.broad.terrain_height(x, z) + raised[own]
             parts[0].append(np.stack([x, y, z], axis=2))
-            parts[1].append(normals[own])
+            parts[1].append(facing[own])
             share = between(shares, r, c)
-            stands = ramp(0.0, 0.05, raised[own])
+            stands = ramp(0.0, STANDS, raised[own])
             parts[2].append(share + stands * (255.0 - share))
-            parts[3].append(colours[own])
-            for part, grid in zip(parts[4:], grids, strict=True):
+            for part, grid in zip(parts[3:], grids, strict=True):
                 part.append(between(grid, r, c))
 
         many = [np.stack(each) for each in parts]
 
         def level(step: int) -> Mesh:
-            points, up, share, colour, *uv = (each[:, ::step, ::step] for each in many)
+            points, up, share, *uv = (each[:, ::step, ::step] for each in many)
             side = points.shape[1]
             few = grid_triangles(side, side).astype(np.int64)
             starts = np.arange(len(points)) * side * side
-            rgba = np.concatenate([np.clip(127.5 * colour, 0, 255), share[..., None]], axis=3)
+            rgba = np.repeat(share[..., None], 4, axis=3)
             flat = Mesh(
                 points.reshape(-1, 3).astype(np.float32),
                 up.reshape(-1, 3).astype(np.float32),
@@ -190,19 +220,45 @@ def blocks(
             )
             return in_planes(flat, rates)
 
-        return tuple(level(step) for step, _ in LEVELS)
+        return tuple(level(step) for step in steps)
 
-    found = []
-    for row in range(0, cells, BLOCK):
-        for column in range(0, cells, BLOCK):
-            here = np.argwhere(used[row : row + BLOCK, column : column + BLOCK]) + (row, column)
-            for turf in (False, True):
-                of = here[soft[here[:, 0], here[:, 1]] == turf]
-                if len(of):
-                    meshes = made(of)
-                    points = meshes[0].vertices
-                    found.append(Block(meshes, points.min(axis=0), points.max(axis=0), turf))
-    return found
+    steps, broad = ([step for step, _ in levels] for levels in (LEVELS, BROAD))
+    regions = list[Block]()
+    parts = list[Block]()
+    every = np.argwhere(used)
+    number = every // REGION @ (cells + 1, 1)
+    for which in np.unique(number):
+        here = every[number == which]
+        for mixture in (ROCK, EVERY):
+            of = here[mixed[here[:, 0], here[:, 1]] == mixture]
+            if not len(of):
+                continue
+            own = of // BLOCK @ (cells + 1, 1)
+            inside = [made(of[own == one], steps) for one in np.unique(own)]
+            parts += [block(meshes, mixture, len(regions)) for meshes in inside]
+            low, high = (
+                getattr(np.array([getattr(part, end) for part in parts[-len(inside) :]]), least)(0)
+                for end, least in (("low", "min"), ("high", "max"))
+            )
+            regions.append(Block(made(of, broad), low, high, mixture, -1))
+    return [*regions, *parts]
+
+
+def block(meshes: tuple[Mesh, ...], mixture: int, region: int) -> Block:
+    """Return a block of meshes, the finest first, with the box of that one."""
+    points = meshes[0].vertices
+    return Block(meshes, points.min(axis=0), points.max(axis=0), mixture, region)
+
+
+def lowest(raised: np.ndarray, cells: int) -> np.ndarray:
+    """Return the lowest relief (cells, cells) of each cell, its borders included."""
+    rows = np.minimum(raised[:-1:FINER], raised[FINER::FINER])
+    for k in range(1, FINER):
+        rows = np.minimum(rows, raised[k::FINER][:cells])
+    found = np.minimum(rows[:, :-1:FINER], rows[:, FINER::FINER])
+    for k in range(1, FINER):
+        found = np.minimum(found, rows[:, k::FINER][:, :cells])
+    return np.asarray(found)
 
 
 def in_planes(mesh: Mesh, rates: tuple[float, ...]) -> Mesh:
@@ -250,23 +306,27 @@ def grain(rock: np.ndarray) -> list[np.ndarray]:
 class RockFaces:
     """The display lists of all blocks."""
 
-    def __init__(self, parts: list[Block], texture: Texture) -> None:
-        """Compile them; ``texture`` is the grain of unit 4."""
+    def __init__(self, parts: list[Block], texture: Texture | None) -> None:
+        """Compile them; ``texture`` is the grain of unit 4, if there is one."""
+        self._grained = texture is not None
         self._lists: list[DisplayList] = []
         corners = np.array([(part.low, part.high) for part in parts]).reshape(-1, 2, 3)
         self._middles = corners.mean(axis=1)
         self._halves = (corners[:, 1] - corners[:, 0]) / 2.0
-        self._turf = np.array([part.turf for part in parts], bool)
+        self._regions = np.array([part.region for part in parts], int)
+        self._mixtures = np.array([part.mixture for part in parts], int)
         self._parts = [
             [self._compiled(partial(draw_mesh, mesh)) for mesh in part.meshes] for part in parts
         ]
 
         def before() -> None:
             gl.glPushAttrib(gl.GL_TEXTURE_BIT | gl.GL_ENABLE_BIT | gl.GL_CURRENT_BIT)
-            self._units(texture)
+            if texture is not None:
+                self._units(texture)
 
         self._before, self._after = self._compiled(before), self._compiled(lambda: gl.glPopAttrib())
-        self._looks = [self._compiled(partial(look_up, of)) for of in (ROCK, TURF | SAND | ROCK)]
+        self._without_grain = self._compiled(self._leave_grain)
+        self._looks = {of: self._compiled(partial(look_up, of)) for of in (ROCK, EVERY)}
 
     def _compiled(self, send: Callable[[], None]) -> DisplayList:
         self._lists.append(DisplayList(send))
@@ -274,30 +334,45 @@ class RockFaces:
 
     @staticmethod
     def _units(texture: Texture) -> None:
-        """Set units 4 and 5: times the grain, times the vertices' colour, each doubled."""
-        for unit, source in ((4, "TEXTURE"), (5, "PRIMARY_COLOR")):
-            gl.glActiveTexture(texture_unit(unit))
-            texture.bind()
-            gl.glEnable(gl.GL_TEXTURE_2D)
-            combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": source})
-            combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
-            gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+        """Set unit 4: times the grain, doubled."""
+        gl.glActiveTexture(texture_unit(4))
+        texture.bind()
+        gl.glEnable(gl.GL_TEXTURE_2D)
+        combine({"COMBINE_RGB": "MODULATE", "SRC0_RGB": "PREVIOUS", "SRC1_RGB": "TEXTURE"})
+        combine({"COMBINE_ALPHA": "REPLACE", "SRC0_ALPHA": "PREVIOUS"})
+        gl.glTexEnvf(gl.GL_TEXTURE_ENV, gl.GL_RGB_SCALE, 2.0)
+        gl.glActiveTexture(gl.GL_TEXTURE0)
+
+    @staticmethod
+    def _leave_grain() -> None:
+        """Let unit 4 look up nothing."""
+        gl.glActiveTexture(texture_unit(4))
+        gl.glDisable(gl.GL_TEXTURE_2D)
         gl.glActiveTexture(gl.GL_TEXTURE0)
 
     def draw(self, frame: Frame) -> None:
         """Draw the blocks in view, the nearest first, as fine as their distance asks for."""
         if not self._parts:
             return
-        kept = np.flatnonzero(boxes_in_view(frame, self._middles, self._halves))
-        aside = np.maximum(np.abs(self._middles[kept] - frame.eye) - self._halves[kept], 0.0)
+        near = np.flatnonzero(boxes_in_view(frame, self._middles, self._halves))
+        aside = np.maximum(np.abs(self._middles[near] - frame.eye) - self._halves[near], 0.0)
         away = np.linalg.norm(aside, axis=1)
-        order = np.lexsort([away, self._turf[kept]])
-        lists, last = [self._before], None
+        close = np.zeros(len(self._parts), bool)
+        close[near] = away <= CLOSE
+        # A region that is close is drawn in blocks.
+        shown = np.where(self._regions[near] < 0, ~close[near], close[self._regions[near]])
+        kept, away = near[shown], away[shown]
+        order = np.lexsort([away, self._mixtures[kept], away > GRAINED])
+        lists, last, grained = [self._before], 0, self._grained
         for k, far in zip(kept[order].tolist(), away[order].tolist(), strict=True):
-            if self._turf[k] is not last:
-                last = self._turf[k]
-                lists.append(self._looks[int(last)])
-            level = next(i for i, (_, reach) in enumerate(LEVELS) if far <= reach)
+            if grained and far > GRAINED:
+                grained = False
+                lists.append(self._without_grain)
+            if self._mixtures[k] != last:
+                last = int(self._mixtures[k])
+                lists.append(self._looks[last])
+            levels = BROAD if self._regions[k] < 0 else LEVELS
+            level = next(i for i, (_, reach) in enumerate(levels) if far <= reach)
             lists.append(self._parts[k][level])
         call_lists([*lists, self._after])
 

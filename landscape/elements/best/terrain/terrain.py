@@ -43,7 +43,14 @@ from landscape.elements.best.terrain.materials import (
     turf_range,
 )
 from landscape.elements.best.terrain.relief import relief_light
-from landscape.elements.best.terrain.rock_faces import CLOSER, RockFaces, blocks, grain, with_grain
+from landscape.elements.best.terrain.rock_faces import (
+    CLOSER,
+    RockFaces,
+    blocks,
+    grain,
+    lit_rock,
+    with_grain,
+)
 from landscape.elements.best.terrain.shadows import ShadowMap
 from landscape.elements.best.terrain.shore import moved_shore
 from landscape.elements.best.terrain.tiles import boxes, cut, every_second
@@ -96,6 +103,7 @@ class Terrain(Ground):
         self._faces: RockFaces | None = None
         self._tiles: dict[int, dict[int, DisplayList]] = {}  # by their labels and numbers
         self._looks, self._mirrored = list[DisplayList](), list[DisplayList]()
+        self._mirrored_near = list[DisplayList]()
         self._ledged = self._with_ledges(ground)
         painted = ground.materials and ground.units == "both"
         self._mixed = painted and possible("ground.materials")
@@ -103,6 +111,8 @@ class Terrain(Ground):
         self._painted = self._materials(ground, assets) if painted else self.large
         if ground.wet and painted:
             self._painted = self._dampened(self._painted)
+        if self._ledged is not None and self._mixed:
+            self._painted = self._lit_rock(self._ledged, self._painted)
         self._splat = self._texture(self._painted, repeat=False)
         detail = partial(self._detail, assets)
         if self._mixed:
@@ -157,18 +167,25 @@ class Terrain(Ground):
     def _rock_faces(self, field: LedgedField, mesh: Mesh, assets: Assets) -> RockFaces:
         """Return what draws the rock's relief, with the grain of its texture."""
         ground = self.settings.ground
-        path = assets.path(ground.rock_texture, "ground.rock_texture")
-        levels = grain(read_image(path, "RGB", ground.texture_size))
-        self._textures.append(Texture(levels))
+        texture: Texture | None = None
+        if possible("the grain of rock with ledges"):
+            path = assets.path(ground.rock_texture, "ground.rock_texture")
+            texture = Texture(grain(read_image(path, "RGB", ground.texture_size)))
+            self._textures.append(texture)
         repeats = ground.detail_repeat, ground.sand_repeat, ground.rock_repeat
         rates = (
             *(each / field.size for each in repeats),
             0.0,
             CLOSER * ground.rock_repeat / field.size,
         )
+        parts = blocks(field, with_grain(mesh), rates, self._labels(mesh))
+        return RockFaces(parts, texture)
+
+    def _lit_rock(self, field: LedgedField, painted: np.ndarray) -> np.ndarray:
+        """Return the large colours with the light on the rock's relief, see rock_faces.py."""
         sun = direction(self.settings.sun)
-        parts = blocks(field, with_grain(mesh), rates, self._labels(mesh), sun)
-        return RockFaces(parts, self._textures[-1])
+        what = "lit rock", repr(sun.tolist()), *field.made_from, painted.tobytes()
+        return recall(what, lambda: (lit_rock(painted, field, sun),))[0]
 
     def _low_stretch(self) -> np.ndarray:
         """Return the details' texture coordinates, (n*n, 2), that keep their scale on slopes."""
@@ -179,7 +196,8 @@ class Terrain(Ground):
         """Return the large colours with those of the shore where it is drawn, see shore.py."""
         if has_no_colours(ground):
             return self.large  # made from the heights as they are drawn
-        field, files = self.field, (ground.large_texture, ground.height_image)
+        # Stones lie by these colours: where they lie does not depend on the relief.
+        field, files = self.field.broad, (ground.large_texture, ground.height_image)
         scales = ground.scale_x, ground.scale_y, ground.scale_z
         places = repr((ground.resolution, scales, self.large.shape))
 
@@ -282,12 +300,25 @@ class Terrain(Ground):
                 lists = compiled(*(partial(draw_triangles, each) for each in own.values()))
                 self._tiles[label] = dict(zip(own, lists, strict=True))
         if self.settings.reflection.lod_scale > 1:
-            coarse = every_second(mesh)
-            tiles = cut(coarse, count)
+            stands = self._with_relief(mesh)
+            coarse = every_second(stands)
+            coarse_tiles = cut(coarse, count)
             with arrays_of(coarse):
-                sends = [partial(draw_triangles, tile.triangles) for tile in tiles]
+                sends = [partial(draw_triangles, tile.triangles) for tile in coarse_tiles]
                 self._mirrored = compiled(*sends)
-            self._mirrored_boxes = boxes(tiles, level)
+            self._mirrored_boxes = boxes(coarse_tiles, level)
+            if stands is not mesh:
+                with arrays_of(stands):
+                    sends = [partial(draw_triangles, tile.triangles) for tile in tiles]
+                    self._mirrored_near = compiled(*sends)
+
+    def _with_relief(self, mesh: Mesh) -> Mesh:
+        """Return the mesh as high as what stands on it, for the mirror image."""
+        if self._ledged is None:
+            return mesh
+        raised = mesh.vertices.copy()
+        raised[:, 1] = self._ledged.terrain_height(raised[:, 0], raised[:, 2])
+        return replace(mesh, vertices=raised)
 
     def _labels(self, mesh: Mesh) -> np.ndarray:
         """Return a label for each triangle (m,): its materials, 0 if there are no materials."""
@@ -386,7 +417,9 @@ class Terrain(Ground):
         near = (aside[:, [0, 2]] < MIRRORED_FINE).all(axis=1)
         out = list[DisplayList]()
         for tile, fine in zip(kept, near.tolist(), strict=True):
-            if fine:
+            if fine and self._mirrored_near:
+                out.append(self._mirrored_near[tile])
+            elif fine:
                 out += [lists[tile] for lists in self._tiles.values() if tile in lists]
             else:
                 out.append(self._mirrored[tile])
