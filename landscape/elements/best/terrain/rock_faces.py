@@ -222,7 +222,7 @@ def blocks(
 
         return tuple(level(step) for step in steps)
 
-    steps, broad = ([step for step, _ in levels] for levels in (LEVELS, BROAD))
+    fine_steps, broad_steps = ([step for step, _ in levels] for levels in (LEVELS, BROAD))
     regions = list[Block]()
     parts = list[Block]()
     every = np.argwhere(used)
@@ -234,13 +234,13 @@ def blocks(
             if not len(of):
                 continue
             own = of // BLOCK @ (cells + 1, 1)
-            inside = [made(of[own == one], steps) for one in np.unique(own)]
+            inside = [made(of[own == one], fine_steps) for one in np.unique(own)]
             parts += [block(meshes, mixture, len(regions)) for meshes in inside]
             low, high = (
                 getattr(np.array([getattr(part, end) for part in parts[-len(inside) :]]), least)(0)
                 for end, least in (("low", "min"), ("high", "max"))
             )
-            regions.append(Block(made(of, broad), low, high, mixture, -1))
+            regions.append(Block(made(of, broad_steps), low, high, mixture, -1))
     return [*regions, *parts]
 
 
