@@ -98,13 +98,13 @@ def test_a_new_rung_is_found_within_half_a_second() -> None:
 
 
 def test_a_meadow_loses_its_blades_only_where_a_walk_would_become_a_slide_show() -> None:
-    """Frames of half again their time keep all blades, those of over twice their time do not."""
+    """Frames of over twice their time keep all blades, those of over three times it do not."""
     good = max(n for n, level in enumerate(WALKING) if not level.resort)
     least = cost(WALKING[good])
     pace = Pace(30)
-    walked(pace, 5, lambda _: 1.5 * BUDGET / least)
+    walked(pace, 5, lambda _: 2.4 * BUDGET / least)
     assert pace.level == good and pace.detail.grass == 1.0
-    walked(pace, 5, lambda _: 2.2 * BUDGET / least)
+    walked(pace, 5, lambda _: 3.3 * BUDGET / least)
     assert pace.level > good and pace.detail.grass < 1.0
     walked(pace, 5, lambda _: 1.1 * BUDGET / least)
     assert pace.level == good

@@ -9,7 +9,7 @@ The cost of a level is not the same everywhere: a part of each frame takes the s
 pixels and blades are drawn. How large that part is here, each change of the level tells.
 
 The pixels become fewer, as a picture that is stretched a little differs least from a still. Blades
-are left out only as a last resort, where frames would take more than twice their time. Each
+are left out only as a last resort, where frames would take more than three times their time. Each
 frame of a walk has a mirror image of its own: to use one for several saved a millisecond or two,
 and in views of the sea one pixel in thirty was wrong.
 
@@ -90,7 +90,7 @@ RUSH = 1.4  # chosen
 LIMIT = 0.90  # chosen: of the time per frame; if the usual frame takes more, draw less
 AIM = 0.80  # chosen: of the time per frame, what a coarser level should take
 ROOM = 0.75  # chosen: of the time per frame, what a finer level may be expected to take
-RESORT = 2.0  # chosen: times the time per frame, which the other levels must take for a last resort
+RESORT = 3.0  # chosen: times the time per frame, which the other levels must take for a last resort
 WAIT = 0.4  # chosen: seconds at a level before a finer one is tried
 LONGEST_WAIT = 16.0  # chosen: seconds, after a rise that was taken back several times
 REST = 0.25  # chosen: seconds without a motion after which a walker stands still
