@@ -282,7 +282,7 @@ BEST_FIXES: tuple[Fix, ...] = (
     Fix(
         "best12",
         "Waves run up the beach",
-        "close_shore",
+        Pose(14.0, 0.9, 30.0, 165.0, -22.0),
         80.0,
         {"water.run_up": False},
         {"water.run_up": True},
@@ -307,9 +307,9 @@ BEST_FIXES: tuple[Fix, ...] = (
     Fix(
         "best13",
         "Scales",
-        "close_dragon",
+        Pose(11.3, 0.75, 29.6, 330.0, 5.0),
         40.0,
-        {"dragon.scaly": False, "dragon.gloss": 0.5},
+        {"dragon.scaly": False, "dragon.mesh": "dragon.ply"},
         {"dragon.scaly": True, "dragon.mesh": "serpent.ply"},
         "The dragon has the texture of 2006, which the rabbit has, too. At arm's length it is a "
         "smear.",
