@@ -106,7 +106,7 @@ def test_without_a_lens_the_frame_is_drawn_once_as_it_is(stage: Stage) -> None:
 
 
 def test_a_small_picture_takes_fewer_points(stage: Stage) -> None:
-    small = replace(CAMERA, lens=0.005)
+    small = replace(CAMERA, lens=0.012)
     assert points(small, 40) < points(small, 120) < CAMERA.lens_points
     assert points(CAMERA, 4000) == CAMERA.lens_points
     assert points(replace(CAMERA, lens_points=3), 4000) == 3

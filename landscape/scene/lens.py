@@ -43,7 +43,7 @@ from landscape.scene.scene import Moment
 FEWEST = 8  # chosen: points of the lens that are used where the blur is smaller than a pixel
 SPACING = 2.0  # chosen: pixels between the images of one thing from neighbouring points
 MOST = 4096 * 4096  # chosen: pixels of a picture: the mean takes 16 bytes each
-NEAREST = 0.1  # chosen: units: what is nearer may show that the points are few
+NEAREST = 1 / 3  # chosen: of the focus; what is nearer may show that the points are few
 
 
 def axes(pose: Pose) -> tuple[np.ndarray, np.ndarray]:
@@ -65,7 +65,8 @@ def points(camera: Camera, height: int) -> int:
 
     As many as its blur needs, so that a small picture takes fewer.
     """
-    largest = max(blur(camera, height, distance) for distance in (NEAREST, math.inf))
+    nearest = NEAREST * camera.focus
+    largest = max(blur(camera, height, distance) for distance in (nearest, math.inf))
     needed = math.pi * (largest / SPACING) ** 2
     return min(max(math.ceil(needed), FEWEST), camera.lens_points)
 
