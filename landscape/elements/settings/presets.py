@@ -48,7 +48,6 @@ BEST: dict[str, Value] = {
     "ground.stones": 10_000,
     "ground.wet": True,
     "ground.low_stretch": True,
-    "ground.ledges": 0.6,
     "ground.texture_size": 2048,
     "reflection.castle": True,
     "reflection.rippled": True,
