@@ -145,6 +145,26 @@ def _arc(foot: np.ndarray, direction: np.ndarray, bend: np.ndarray, length: floa
     return np.asarray(foot + length * (t * direction + 0.28 * t * t * bend))
 
 
+def _spine(
+    row: np.ndarray, foot: np.ndarray, generator: np.random.Generator
+) -> tuple[np.ndarray, float]:
+    """Return a spine of the back (POINTS, 3) and how thick it is; it stands at ``foot`` (3,).
+
+    ``row`` is the curve's there.
+    """
+    radius, back, side = row[3], row[5:8], row[8:11]
+    rise = np.clip((foot[1] - DEEPEST) / 0.40, 0.0, 1.0)
+    tall = (0.045 + 0.95 * radius) * (0.30 + 0.70 * rise**0.8)
+    tall *= min(1.0, 0.30 + row[12] / 0.22)
+    tall *= generator.uniform(0.86, 1.10) * (0.62 if generator.random() < 0.07 else 1.0)
+
+    tangent = np.cross(back, side)
+    lean = 0.62 + 0.10 * generator.normal()
+    sway = side * 0.10 * generator.normal()
+    direction = np.cos(lean) * back - np.sin(lean) * tangent + sway
+    return _arc(foot, direction, -tangent, tall), 0.0048 + 0.020 * radius
+
+
 def crest(curve: np.ndarray) -> list[Fin]:
     """Return the fins along the back: one on each arch and one on the neck."""
     generator = np.random.default_rng(SEED)
@@ -152,26 +172,18 @@ def crest(curve: np.ndarray) -> list[Fin]:
     rim = curve[:, :3] + 1.2 * curve[:, 3:4] * curve[:, 5:8]
     walked = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(rim, axis=0), axis=1)))
     at = np.interp(np.arange(0.0, walked[-1], SPACING), walked, np.arange(len(curve)))
+
+    # A fin ends where the back is under water.
     fins: list[list[tuple[np.ndarray, float]]] = [[]]
     for place in at:
         i = int(place)
         row = curve[min(i + 1, len(curve) - 1)] * (place - i) + curve[i] * (1 - place + i)
-        radius, back, side = row[3], row[5:8], row[8:11]
-        foot = row[:3] + 0.93 * radius * back
-        shown = foot[1] > DEEPEST and along[i] > 0.14 and row[12] > 0.03
-        if not shown:
-            if fins[-1]:
-                fins.append([])
-            continue
-        tangent = np.cross(back, side)
-        rise = np.clip((foot[1] - DEEPEST) / 0.40, 0.0, 1.0)
-        tall = (0.045 + 0.95 * radius) * (0.30 + 0.70 * rise**0.8)
-        tall *= min(1.0, 0.30 + row[12] / 0.22)
-        tall *= generator.uniform(0.86, 1.10) * (0.62 if generator.random() < 0.07 else 1.0)
-        lean = 0.62 + 0.10 * generator.normal()
-        sway = side * 0.10 * generator.normal()
-        direction = np.cos(lean) * back - np.sin(lean) * tangent + sway
-        fins[-1].append((_arc(foot, direction, -tangent, tall), 0.0048 + 0.020 * radius))
+        foot = row[:3] + 0.93 * row[3] * row[5:8]
+        if foot[1] > DEEPEST and along[i] > 0.14 and row[12] > 0.03:
+            fins[-1].append(_spine(row, foot, generator))
+        elif fins[-1]:
+            fins.append([])
+
     return [
         Fin(np.array([ray for ray, _ in fin]), np.array([thick for _, thick in fin]))
         for fin in fins

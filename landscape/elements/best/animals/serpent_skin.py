@@ -1,11 +1,11 @@
 """The texture of the dragon of the preset `best`: skin, fins, bone and eyes in one (RGBA).
 
-Technique: the texture has strips, one above the other. That of the body lies along it: s repeats,
-t goes from the back to the middle of the belly, the same on both sides. So scales can have a
-direction: they overlap towards the tail, larger ones stand in rows on the flank, shields lie across
-the belly; and since light comes from above, the side of a scale that faces the back is painted
-lighter, and what lies under its edge darker. Alpha is how much the skin mirrors (wet_sheen.py):
-scales do, furrows and algae do not. In the strip of the fins alpha is opacity.
+Technique: the texture has strips, one above the other. The strip for the body runs along it: s
+repeats, and t goes from the back to the middle of the belly, the same on both sides. So scales can
+have a direction: they overlap towards the tail, larger ones stand in rows on the flank, shields lie
+across the belly; and since light comes from above, the side of a scale that faces the back is
+painted lighter, and what lies under its edge darker. Alpha is how much the skin mirrors
+(wet_sheen.py): scales do, furrows and algae do not. In the strip of the fins alpha is opacity.
 The mesh file has the coordinates; its colours are multiplied by the texture. No OpenGL.
 """
 
